@@ -1,0 +1,79 @@
+"""What every gap-filling method takes and returns."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.recording import Recording
+
+R90_PER_SIGMA = 2.5002777108094
+"""Radius of the 90 % ball of an isotropic 3-D Gaussian with unit SD: sqrt(chi2.ppf(0.9, 3))."""
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """The filled samples of one gap.
+
+    Attributes
+    ----------
+    gap : Gap
+        The gap that they fill completely.
+    values : ndarray, shape (length, 3)
+        Coordinates in the recording's unit, finite.
+    sigma : ndarray, shape (length,)
+        Expected standard deviation per axis in the recording's unit; NaN where unknown.
+    r90 : ndarray, shape (length,)
+        Radius around the value that should hold the true position with probability 0.9, in the
+        recording's unit; NaN where unknown.
+    """
+
+    gap: Gap
+    values: NDArray[np.float64]
+    sigma: NDArray[np.float64]
+    r90: NDArray[np.float64]
+
+    @property
+    def expected_error(self) -> float:
+        """Expected 3-D RMS error over the gap in the recording's unit; NaN where unknown."""
+        return float(np.sqrt(3.0 * np.mean(self.sigma**2)))
+
+
+@dataclass(frozen=True)
+class Unfilled:
+    """A gap that was left open, and why, in words a user understands."""
+
+    gap: Gap
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class FillResult:
+    """What a method did with the gaps that it was given, in their order.
+
+    Attributes
+    ----------
+    patches : tuple of Patch
+        One per filled gap.
+    unfilled : tuple of Unfilled
+        One per gap left open.
+    notes : dict
+        Diagnostics of the method per gap (donors, estimated parameters, number of self-tests, ...).
+    """
+
+    patches: tuple[Patch, ...]
+    unfilled: tuple[Unfilled, ...] = ()
+    notes: dict[Gap, dict[str, Any]] = field(default_factory=dict)
+
+
+class FillFunction(Protocol):
+    """A pure function that fills gaps: same input, same bytes; the input is never changed."""
+
+    def __call__(
+        self, recording: Recording, gaps: Sequence[Gap], params: Any, progress: Progress, /
+    ) -> FillResult:
+        """Fill the given gaps of a recording and nothing else."""

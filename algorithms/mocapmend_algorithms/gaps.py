@@ -1,0 +1,55 @@
+"""Missing runs of a marker."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+GapKind = Literal["interior", "leading", "trailing", "whole"]
+
+
+@dataclass(frozen=True, order=True)
+class Gap:
+    """A maximal run of missing frames of one marker: frames start to stop - 1, counted from 0."""
+
+    marker: int
+    start: int
+    stop: int
+
+    @property
+    def length(self) -> int:
+        """Number of missing frames."""
+        return self.stop - self.start
+
+    def kind(self, frames: int) -> GapKind:
+        """Where the gap lies in a recording of `frames` frames."""
+        if self.start == 0:
+            return "whole" if self.stop == frames else "leading"
+        return "trailing" if self.stop == frames else "interior"
+
+
+def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the half-open (start, stop) runs of True in a one-dimensional mask."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
+    return [(int(a), int(b)) for a, b in edges.reshape(-1, 2)]
+
+
+def find_gaps(present: NDArray[np.bool_]) -> list[Gap]:
+    """Find the gaps of every marker.
+
+    Parameters
+    ----------
+    present : ndarray of bool, shape (frames, markers)
+        Whether each sample is there.
+
+    Returns
+    -------
+    list of Gap
+        Ordered by marker, then by start.
+    """
+    return [
+        Gap(marker, start, stop)
+        for marker in np.flatnonzero(~present.all(axis=0)).tolist()
+        for start, stop in runs(~present[:, marker])
+    ]

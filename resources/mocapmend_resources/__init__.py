@@ -1,0 +1,1 @@
+"""Data that ships with the program: skeleton templates, sample recordings, icons, credits."""

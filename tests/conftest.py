@@ -1,0 +1,26 @@
+"""Fixtures that every test may use."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+ROOT = Path(__file__).resolve().parent.parent
+SHARED = ROOT.parent / "shared" / "data"
+SAMPLES = ROOT / "resources" / "mocapmend_resources" / "samples"
+
+
+@pytest.fixture(scope="session")
+def shared() -> Path:
+    """Return the folder of recordings that cannot be shipped; skip where it is absent."""
+    if not SHARED.is_dir():
+        pytest.skip("the shared recordings (../shared/data) are not on this machine")
+    return SHARED
+
+
+@pytest.fixture(scope="session")
+def samples() -> Path:
+    """Return the folder of bundled recordings."""
+    return SAMPLES
