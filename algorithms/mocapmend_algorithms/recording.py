@@ -59,12 +59,12 @@ class Recording:
     @property
     def frames(self) -> int:
         """Number of frames."""
-        return self.points.shape[0]
+        return int(self.points.shape[0])
 
     @property
     def markers(self) -> int:
         """Number of markers."""
-        return self.points.shape[1]
+        return int(self.points.shape[1])
 
     @property
     def mm(self) -> float:

@@ -1,0 +1,1 @@
+"""Gap filling: one method per file, listed in `registry`."""

@@ -1,0 +1,113 @@
+"""Interpolation of one marker across a gap: what most programs do by default.
+
+Good below about 0.2 s, poor above. All of these leave gaps at the beginning and the end of a
+recording open.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Literal
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.fill.window import (
+    WindowMethod,
+    fill_windows,
+)
+from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.recording import Recording
+
+SPLINE_REACH = 12
+"""Samples per side of a cubic spline: each further one counts 2 - sqrt(3) = 0.27 times the last,
+so a spline through the whole recording differs by less than 1e-6."""
+
+
+@dataclass(frozen=True)
+class ConstantParams:
+    """Parameters of `constant`."""
+
+    hold: Literal["before", "after", "nearest"] = option(
+        "before",
+        label="Hold the value",
+        text="Which value to hold: that before the gap, that after it, or the nearer one.",
+    )
+
+
+@dataclass(frozen=True)
+class LinearParams:
+    """`linear` has no parameters."""
+
+
+@dataclass(frozen=True)
+class CubicParams:
+    """`cubic` has no parameters."""
+
+
+@dataclass(frozen=True)
+class PchipParams:
+    """`pchip` has no parameters."""
+
+
+def constant(
+    recording: Recording, gaps: Sequence[Gap], params: ConstantParams, progress: Progress, /
+) -> FillResult:
+    """Hold the sample before or after the gap; it does not meet the other edge."""
+    solve = partial(_constant, hold=params.hold)
+    return fill_windows(recording, gaps, WindowMethod.single(solve, "a constant"), progress)
+
+
+def linear(
+    recording: Recording, gaps: Sequence[Gap], params: LinearParams, progress: Progress, /
+) -> FillResult:
+    """Draw a straight line between the samples at the edges of the gap."""
+    return fill_windows(recording, gaps, WindowMethod.single(_linear, "a straight line"), progress)
+
+
+def cubic(
+    recording: Recording, gaps: Sequence[Gap], params: CubicParams, progress: Progress, /
+) -> FillResult:
+    """Draw a cubic spline (not-a-knot) through the samples on both sides of the gap."""
+    method = WindowMethod.single(_cubic, "a cubic curve", reach=SPLINE_REACH, least=4)
+    return fill_windows(recording, gaps, method, progress)
+
+
+def pchip(
+    recording: Recording, gaps: Sequence[Gap], params: PchipParams, progress: Progress, /
+) -> FillResult:
+    """Draw a piecewise cubic Hermite curve that keeps the samples' order (Fritsch-Carlson)."""
+    return fill_windows(recording, gaps, WindowMethod.single(_pchip, "a curve"), progress)
+
+
+def _constant(knots: IntArray, values: FloatArray, length: int, *, hold: str) -> FloatArray:
+    after = int(np.searchsorted(knots, 0))
+    at = np.arange(length)
+    late = at - knots[after - 1] > knots[after] - at
+    late = {"before": np.zeros_like(late), "after": np.ones_like(late), "nearest": late}[hold]
+    return values[np.where(late, after, after - 1)]
+
+
+def _linear(knots: IntArray, values: FloatArray, length: int) -> FloatArray:
+    after = int(np.searchsorted(knots, 0))
+    share = (np.arange(length) - knots[after - 1]) / (knots[after] - knots[after - 1])
+    change: FloatArray = values[after] - values[after - 1]
+    filled: FloatArray = values[after - 1] + share[:, None] * change
+    return filled
+
+
+def _cubic(knots: IntArray, values: FloatArray, length: int) -> FloatArray:
+    from scipy.interpolate import CubicSpline
+
+    filled: FloatArray = CubicSpline(knots, values)(np.arange(length))
+    return filled
+
+
+def _pchip(knots: IntArray, values: FloatArray, length: int) -> FloatArray:
+    from scipy.interpolate import PchipInterpolator
+
+    filled: FloatArray = PchipInterpolator(knots, values)(np.arange(length))
+    return filled

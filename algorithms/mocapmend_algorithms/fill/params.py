@@ -1,0 +1,116 @@
+"""What the parameters of a method say about themselves, and how text becomes parameters.
+
+A method's parameters are a frozen dataclass whose fields are made by `option`: forms, the command
+line and the documentation are generated from them.
+"""
+
+import dataclasses
+import math
+import types
+from collections.abc import Mapping
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+
+WORDS = {"true": True, "yes": True, "on": True, "1": True}
+WORDS |= {"false": False, "no": False, "off": False, "0": False}
+AUTOMATIC = ("auto", "automatic", "none", "")
+
+
+def option(
+    default: Any,
+    *,
+    label: str,
+    text: str,
+    minimum: float | None = None,
+    maximum: float | None = None,
+    unit: str = "",
+) -> Any:
+    """Make a dataclass field that describes itself.
+
+    Parameters
+    ----------
+    default : int, float, bool, str or None
+        The default; None means that the program chooses.
+    label, text : str
+        A few words for a form, and a sentence of help.
+    minimum, maximum : float, optional
+        The values allowed, both included.
+    unit : str
+        Shown behind the value.
+
+    Returns
+    -------
+    dataclasses.Field
+        With metadata `label`, `help`, `min`, `max` and `unit`.
+    """
+    metadata = {"label": label, "help": text, "min": minimum, "max": maximum, "unit": unit}
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+def parse(kind: type[Any], pairs: Mapping[str, str]) -> Any:
+    """Make parameters from text, as the command line has it.
+
+    Parameters
+    ----------
+    kind : type
+        The dataclass of a method's parameters.
+    pairs : mapping of str to str
+        Name and value of the parameters that differ from their defaults.
+
+    Returns
+    -------
+    object
+        An instance of `kind`.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, or a value is not of its type or outside its bounds.
+    """
+    fields = {f.name: f for f in dataclasses.fields(kind)}
+    hints = get_type_hints(kind)
+    values = {}
+    for name, text in pairs.items():
+        if name not in fields:
+            known = ", ".join(fields) or "none"
+            raise ValueError(f"there is no parameter {name!r}; the parameters are: {known}")
+        values[name] = _value(name, text.strip(), hints[name])
+        _check_bounds(name, values[name], fields[name].metadata)
+    return kind(**values)
+
+
+def _value(name: str, text: str, hint: Any) -> Any:
+    if get_origin(hint) in (Union, types.UnionType):
+        if text.lower() in AUTOMATIC:
+            return None
+        hint = next(part for part in get_args(hint) if part is not types.NoneType)
+    if get_origin(hint) is Literal:
+        choices = get_args(hint)
+        if text not in choices:
+            raise ValueError(f"{name} must be one of {', '.join(choices)}, not {text!r}")
+        return text
+    if hint is bool:
+        if text.lower() not in WORDS:
+            raise ValueError(f"{name} must be true or false, not {text!r}")
+        return WORDS[text.lower()]
+    return _number(name, text, hint)
+
+
+def _number(name: str, text: str, hint: Any) -> int | float:
+    what = "a whole number" if hint is int else "a number"
+    try:
+        number: int | float = int(text) if hint is int else float(text)
+    except ValueError:
+        raise ValueError(f"{name} must be {what}, not {text!r}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be {what}, not {text!r}")
+    return number
+
+
+def _check_bounds(name: str, value: Any, metadata: Mapping[str, Any]) -> None:
+    if value is None or isinstance(value, (str, bool)):
+        return
+    unit = f" {metadata['unit']}" if metadata.get("unit") else ""
+    if metadata.get("min") is not None and value < metadata["min"]:
+        raise ValueError(f"{name} must be at least {metadata['min']:g}{unit}, not {value:g}")
+    if metadata.get("max") is not None and value > metadata["max"]:
+        raise ValueError(f"{name} must be at most {metadata['max']:g}{unit}, not {value:g}")

@@ -1,0 +1,76 @@
+"""Recordings made for tests."""
+
+import numpy as np
+from hypothesis import strategies as st
+
+from mocapmend_algorithms import Recording
+from mocapmend_algorithms.fill.registry import METHODS, parse_params
+
+VARIANTS = [
+    ("constant", {}),
+    ("constant", {"hold": "after"}),
+    ("constant", {"hold": "nearest"}),
+    ("linear", {}),
+    ("cubic", {}),
+    ("pchip", {}),
+    ("kalman", {}),
+    ("kalman", {"noise_mm": "5"}),
+    ("kalman", {"direction": "causal"}),
+    ("kalman", {"direction": "causal", "velocity_interval_ms": "40"}),
+]
+EDGE_TO_EDGE = [("linear", {}), ("cubic", {}), ("pchip", {}), ("kalman", {})]
+UNITS = ["mm", "cm", "m"]
+
+
+def fill_with(variant, recording, gaps, progress=lambda fraction: None):
+    """Fill with a method and parameters given as text."""
+    method = METHODS[variant[0]]
+    return method.function(recording, gaps, parse_params(method, variant[1]), progress)
+
+
+def record(points, *, rate=100.0, unit="mm", first_frame=1):
+    """Make a recording with numbered labels."""
+    points = np.array(points, dtype=np.float64)
+    labels = tuple(f"M{index}" for index in range(points.shape[1]))
+    return Recording(points, labels, rate, unit, first_frame=first_frame)
+
+
+def smooth_motion(frames, markers, *, seed=0, rate=100.0):
+    """Sums of slow sines, about a metre across; shape (frames, markers, 3)."""
+    rng = np.random.default_rng(seed)
+    time = np.arange(frames)[:, None, None, None] / rate
+    frequency = rng.uniform(0.2, 2.0, (markers, 3, 4))
+    phase = rng.uniform(0, 2 * np.pi, (markers, 3, 4))
+    size = rng.uniform(20, 200, (markers, 3, 4)) / frequency
+    return np.sum(size * np.sin(2 * np.pi * frequency * time + phase), axis=3)
+
+
+def punch(points, gaps):
+    """Hide the samples of gaps."""
+    points = np.array(points)
+    for gap in gaps:
+        points[gap.start : gap.stop, gap.marker] = np.nan
+    return points
+
+
+@st.composite
+def broken_recordings(draw):
+    """Recordings of any size with missing runs, in any unit, at any rate."""
+    frames = draw(st.integers(2, 70))
+    markers = draw(st.integers(1, 4))
+    seed = draw(st.integers(0, 2**32 - 1))
+    rng = np.random.default_rng(seed)
+    points = smooth_motion(frames, markers, seed=seed) * draw(
+        st.sampled_from([0.0, 1e-3, 1.0, 1e3])
+    )
+    points += draw(st.sampled_from([0.0, 1e6])) * rng.normal(size=3)
+    for _ in range(draw(st.integers(0, 8))):
+        start = draw(st.integers(0, frames - 1))
+        length = draw(st.integers(1, frames))
+        points[start : start + length, draw(st.integers(0, markers - 1))] = np.nan
+    return record(
+        points,
+        rate=draw(st.floats(25.0, 1000.0)),
+        unit=draw(st.sampled_from(UNITS)),
+        first_frame=draw(st.integers(0, 70_001)),
+    )

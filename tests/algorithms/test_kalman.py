@@ -1,0 +1,211 @@
+"""The constant-velocity filter against other implementations and closed forms."""
+
+import numpy as np
+import pytest
+from filterpy.common import Q_continuous_white_noise
+from filterpy.kalman import KalmanFilter
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.interpolate import CubicSpline, make_smoothing_spline
+from synthetic import fill_with, punch, record, smooth_motion
+
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.constant_velocity import bridge, constant_rate, prediction
+from mocapmend_algorithms.fill.kalman import process_noise
+
+CLEAN = (*range(-16, 0), *range(30, 46))
+RATIOS = st.floats(-4, 4).map(lambda power: 10.0**power)
+
+
+@st.composite
+def windows(draw):
+    """Irregular windows: knots on both sides of a gap, and its length."""
+    length = draw(st.integers(1, 60))
+    steps = st.lists(st.integers(1, 9), min_size=0, max_size=12)
+    before = -1 - np.cumsum([0, *draw(steps)])[::-1]
+    after = length + np.cumsum([0, *draw(steps)])
+    return (*before.tolist(), *after.tolist()), length
+
+
+def dense_smoother(knots, at, ratio):
+    """Mean weights and SD of a twice integrated white noise with unknown start, by plain GLS."""
+    time = np.array([*knots, *at], dtype=float)
+    time -= time.min()
+    low, high = np.minimum.outer(time, time), np.maximum.outer(time, time)
+    covariance = low**2 * (3 * high - low) / 6
+    n = len(knots)
+    noisy = np.linalg.inv(covariance[:n, :n] + ratio * np.eye(n))
+    line = np.stack((np.ones_like(time), time), axis=1)
+    information = line[:n].T @ noisy @ line[:n]
+    trend = np.linalg.solve(information, line[:n].T @ noisy)
+    across = covariance[n:, :n] @ noisy
+    weights = across + (line[n:] - across @ line[:n]) @ trend
+    rest = line[n:] - across @ line[:n]
+    variance = np.diag(covariance[n:, n:] - across @ covariance[:n, n:])
+    variance = variance + np.sum(rest * np.linalg.solve(information, rest.T).T, axis=1)
+    return weights, np.sqrt(variance)
+
+
+def carried(smooth, knots, length):
+    """Add what the smoother leaves over at the edges; smooth has both edges as first and last."""
+    after = np.searchsorted(knots, 0)
+    residual = np.eye(len(knots))[[after - 1, after]] - smooth[[0, -1]]
+    start, stop = knots[after - 1], knots[after]
+    share = ((np.arange(length) - start) / (stop - start))[:, None]
+    return smooth[1:-1] + (1 - share) * residual[0] + share * residual[1]
+
+
+def filterpy_run(knots, values, frames, ratio):
+    """Filter frame by frame; a far-off start with a huge covariance stands in for ignorance."""
+    kalman = KalmanFilter(dim_x=2, dim_z=1)
+    kalman.F = np.array([[1.0, 1.0], [0.0, 1.0]])
+    kalman.H = np.array([[1.0, 0.0]])
+    kalman.Q = Q_continuous_white_noise(2, dt=1.0, spectral_density=1.0)
+    kalman.R = np.array([[ratio]])
+    kalman.P = np.eye(2) * 1e7
+    seen = dict(zip(knots, values, strict=True))
+    means, covariances = [], []
+    for frame in frames:
+        kalman.predict()
+        kalman.update(np.array([[seen[frame]]]) if frame in seen else None)
+        means.append(kalman.x.copy())
+        covariances.append(kalman.P.copy())
+    return kalman, np.array(means), np.array(covariances)
+
+
+@settings(max_examples=60, deadline=None)
+@given(window=windows(), ratio=RATIOS)
+def test_bridge_is_the_best_linear_estimate(window, ratio):
+    knots, length = window
+    after = np.searchsorted(knots, 0)
+    at = [knots[after - 1], *range(length), knots[after]]
+    smooth, sigma = dense_smoother(knots, at, ratio)
+    weights, spread = bridge(knots, length, ratio)
+    np.testing.assert_allclose(weights, carried(smooth, knots, length), atol=1e-5)
+    np.testing.assert_allclose(spread, sigma[1:-1], rtol=1e-4)
+
+
+@pytest.mark.parametrize("ratio", [0.01, 1.0, 100.0])
+def test_bridge_agrees_with_filterpy(ratio):
+    values = np.random.default_rng(0).normal(0, 30, len(CLEAN)).cumsum()
+    frames = range(CLEAN[0], CLEAN[-1] + 1)
+    kalman, means, covariances = filterpy_run(CLEAN, values, frames, ratio)
+    smooth, smooth_covariance, _, _ = kalman.rts_smoother(means, covariances)
+    edges = slice(15, 15 + 32)
+    expected = smooth[edges, 0, 0]
+    residual = values[[15, 16]] - expected[[0, -1]]
+    share = np.arange(1, 31) / 31
+    expected = expected[1:-1] + (1 - share) * residual[0] + share * residual[1]
+    weights, sigma = bridge(CLEAN, 30, ratio)
+    np.testing.assert_allclose(weights @ values, expected, atol=1e-2)
+    np.testing.assert_allclose(sigma, np.sqrt(smooth_covariance[edges, 0, 0][1:-1]), rtol=1e-3)
+
+
+@pytest.mark.parametrize("step", [1, 3])
+def test_prediction_agrees_with_filterpy(step):
+    values = np.random.default_rng(1).normal(0, 30, len(CLEAN)).cumsum()
+    taken = list(range(-16, 0))[::-step][::-1]
+    seen = values[np.array(taken) + 16]
+    _, means, covariances = filterpy_run(taken, seen, range(taken[0], 30), 2.0)
+    weights, sigma = prediction(CLEAN, 30, 2.0, step)
+    np.testing.assert_allclose(weights @ values, means[-30:, 0, 0], atol=1e-2)
+    np.testing.assert_allclose(sigma, np.sqrt(covariances[-30:, 0, 0]), rtol=1e-3)
+    assert not weights[:, 16:].any()
+
+
+def test_without_noise_the_bridge_is_the_natural_spline():
+    values = smooth_motion(46, 1)[:32, 0]
+    weights, _ = bridge(CLEAN, 30, 1e-9)
+    expected = CubicSpline(CLEAN, values, bc_type="natural")(np.arange(30))
+    np.testing.assert_allclose(weights @ values, expected, rtol=1e-6, atol=1e-6)
+
+
+def test_with_noise_the_bridge_is_the_smoothing_spline_carried_to_the_edges():
+    values = np.random.default_rng(2).normal(0, 30, len(CLEAN)).cumsum()
+    spline = make_smoothing_spline(CLEAN, values, lam=50.0)
+    residual = values[[15, 16]] - spline([-1, 30])
+    share = np.arange(1, 31) / 31
+    expected = spline(np.arange(30)) + (1 - share) * residual[0] + share * residual[1]
+    np.testing.assert_allclose(bridge(CLEAN, 30, 50.0)[0] @ values, expected, rtol=1e-6)
+
+
+def test_with_all_noise_the_bridge_is_a_straight_line():
+    weights, _ = bridge(CLEAN, 30, 1e12)
+    expected = np.zeros((30, 32))
+    expected[:, 16] = np.arange(1, 31) / 31
+    expected[:, 15] = 1 - expected[:, 16]
+    np.testing.assert_allclose(weights, expected, atol=1e-5)
+
+
+def test_two_samples_predict_along_their_line():
+    weights, _ = prediction((-4, -1, 5), 5, 1.0, 1)
+    np.testing.assert_allclose(weights @ [10.0, 16.0, 0.0], 16 + 2 * np.arange(1, 6))
+
+
+@pytest.mark.parametrize(
+    ("frames", "step", "expected"),
+    [
+        (np.arange(-8, 0), 1, [-8, -7, -6, -5, -4, -3, -2, -1]),
+        (np.arange(-8, 0), 3, [-7, -4, -1]),
+        (np.array([-9, -8, -3, -1]), 3, [-8, -1]),
+        (np.array([-3, -1]), 50, [-3, -1]),
+    ],
+)
+def test_constant_rate_sampling(frames, step, expected):
+    np.testing.assert_array_equal(frames[constant_rate(frames, step)], expected)
+
+
+def test_process_noise_is_recovered():
+    rng = np.random.default_rng(3)
+    rate, density = 200.0, 4e5
+    # Twice integrated white noise, sampled exactly (variance of position and velocity per step).
+    step = 1 / rate
+    factor = np.linalg.cholesky(
+        density * np.array([[step**3 / 3, step**2 / 2], [step**2 / 2, step]])
+    )
+    kicks = rng.normal(size=(40_000, 3, 2)) @ factor.T
+    velocity = np.cumsum(kicks[:, :, 1], axis=0)
+    moves = kicks[1:, :, 0] + velocity[:-1] * step
+    points = np.cumsum(moves, axis=0)[:, None]
+    assert process_noise(record(points, rate=rate), 0) == pytest.approx(density, rel=0.1)
+
+
+def test_process_noise_of_short_stretches():
+    points = np.full((30, 1, 3), np.nan)
+    assert process_noise(record(points), 0) == 0.0
+    points[4:7] = [[[0, 0, 0]], [[1, 0, 0]], [[0, 0, 0]]]
+    assert process_noise(record(points), 0) == pytest.approx(4 / 3 * 1.5 * 100**3)
+
+
+def test_noisy_samples_make_it_choose_more_noise():
+    gaps = [Gap(0, start, start + 10) for start in range(100, 500, 40)]
+    clean = smooth_motion(600, 1)
+    noisy = clean + np.random.default_rng(4).normal(0, 3, clean.shape)
+    chosen = []
+    for points in (clean, noisy):
+        notes = fill_with(("kalman", {}), record(punch(points, gaps)), gaps).notes
+        chosen.append(np.median([notes[gap]["noise_mm"] for gap in gaps]))
+    assert chosen[1] > 10 * chosen[0]
+
+
+def test_two_sided_beats_causal():
+    gaps = [Gap(0, start, start + 20) for start in range(100, 900, 40)]
+    points = smooth_motion(1000, 1)
+    recording = record(punch(points, gaps))
+
+    def error(direction):
+        patches = fill_with(("kalman", {"direction": direction}), recording, gaps).patches
+        return np.mean([(p.values - points[p.gap.start : p.gap.stop, 0]) ** 2 for p in patches])
+
+    assert error("two-sided") < error("causal") / 4
+
+
+def test_causal_needs_two_samples_before():
+    points = smooth_motion(50, 1)
+    gap = Gap(0, 1, 6)
+    (unfilled,) = fill_with(
+        ("kalman", {"direction": "causal"}), record(punch(points, [gap])), [gap]
+    ).unfilled
+    assert unfilled.reason == (
+        "the filter needs 2 samples before the gap, and the marker has only 1"
+    )

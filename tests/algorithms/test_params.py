@@ -1,0 +1,85 @@
+"""Parameters that describe themselves, and the list of methods."""
+
+import dataclasses
+from typing import Literal, get_args, get_type_hints
+
+import pytest
+
+from mocapmend_algorithms.fill.params import option, parse
+from mocapmend_algorithms.fill.registry import METHODS, method, parse_params
+
+
+@dataclasses.dataclass(frozen=True)
+class Example:
+    count: int = option(3, label="Count", text="How many.", minimum=1, maximum=9)
+    size: float | None = option(None, label="Size", text="How big.", minimum=0.5, unit="mm")
+    loud: bool = option(False, label="Loud", text="Whether to shout.")
+    way: Literal["up", "down"] = option("up", label="Way", text="Where to.")
+
+
+def test_the_methods_and_their_order():
+    assert list(METHODS) == ["constant", "linear", "cubic", "pchip", "kalman"]
+    for key, entry in METHODS.items():
+        assert entry.id == key
+        assert entry.label
+        assert entry.help.endswith(".")
+        assert method(key) is entry
+
+
+def test_unknown_methods_are_answered_with_the_list():
+    with pytest.raises(KeyError, match="constant, linear, cubic, pchip, kalman"):
+        method("magic")
+
+
+def test_a_form_can_be_made_of_every_parameter():
+    for entry in METHODS.values():
+        defaults = entry.params()
+        hints = get_type_hints(entry.params)
+        for field in dataclasses.fields(entry.params):
+            assert set(field.metadata) == {"label", "help", "min", "max", "unit"}
+            assert field.metadata["label"]
+            assert field.metadata["help"].endswith(".")
+            hint, value = hints[field.name], getattr(defaults, field.name)
+            kinds = (*get_args(hint), hint)
+            assert value in kinds or (value is None and type(None) in kinds) or type(value) in kinds
+        with pytest.raises(dataclasses.FrozenInstanceError):
+            defaults.anything = 1
+
+
+def test_text_becomes_parameters():
+    assert parse(Example, {}) == Example()
+    pairs = {"count": " 5 ", "size": "2.5", "loud": "Yes", "way": "down"}
+    assert parse(Example, pairs) == Example(5, 2.5, True, "down")
+    for word in ("auto", "None", "automatic", ""):
+        assert parse(Example, {"size": word}).size is None
+    kalman = METHODS["kalman"]
+    assert parse_params(kalman, {"noise_mm": "0.5"}) == kalman.params(noise_mm=0.5)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        (
+            "weight",
+            "1",
+            "there is no parameter 'weight'; the parameters are: count, size, loud, way",
+        ),
+        ("count", "2.5", "count must be a whole number, not '2.5'"),
+        ("count", "0", "count must be at least 1, not 0"),
+        ("count", "10", "count must be at most 9, not 10"),
+        ("size", "big", "size must be a number, not 'big'"),
+        ("size", "nan", "size must be a number, not 'nan'"),
+        ("size", "0.1", "size must be at least 0.5 mm, not 0.1"),
+        ("loud", "maybe", "loud must be true or false, not 'maybe'"),
+        ("way", "left", "way must be one of up, down, not 'left'"),
+    ],
+)
+def test_wrong_text_is_answered_with_one_sentence(name, text, message):
+    with pytest.raises(ValueError) as caught:
+        parse(Example, {name: text})
+    assert str(caught.value) == message
+
+
+def test_a_method_without_parameters_says_so():
+    with pytest.raises(ValueError, match="the parameters are: none"):
+        parse_params(METHODS["linear"], {"hold": "after"})
