@@ -1,0 +1,24 @@
+"""Reading, saving and comparing files; no Qt."""
+
+from mocapmend.files.c3d_encode import SampleRun
+from mocapmend.files.c3d_labels import Event
+from mocapmend.files.c3d_layout import Layout
+from mocapmend.files.c3d_patch import Saved, save_patched
+from mocapmend.files.c3d_reader import C3DFile, Stamp, read_c3d
+from mocapmend.files.check import ChangedRun, CheckReport, check_files
+from mocapmend.files.second_reader import confirm_with_c3d
+
+__all__ = [
+    "C3DFile",
+    "ChangedRun",
+    "CheckReport",
+    "Event",
+    "Layout",
+    "SampleRun",
+    "Saved",
+    "Stamp",
+    "check_files",
+    "confirm_with_c3d",
+    "read_c3d",
+    "save_patched",
+]

@@ -1,0 +1,164 @@
+"""Repaired samples as the bytes that a C3D file stores for them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend.errors import MocapmendError
+from mocapmend.files.c3d_layout import Layout
+from mocapmend.files.c3d_numbers import encode_floats, encode_integers
+from mocapmend.files.c3d_reader import C3DFile
+from mocapmend.files.c3d_samples import Words
+
+NOT_ZERO = 1e-6
+"""Length that is written for a coordinate of a sample at exactly (0, 0, 0)."""
+
+
+@dataclass(frozen=True, eq=False)
+class SampleRun:
+    """Samples to be written.
+
+    Attributes
+    ----------
+    marker : int
+        The marker of the recording.
+    start : int
+        The first frame, from 0.
+    values : ndarray, shape (n, 3), float64
+        Coordinates in the recording's unit, a row of NaN to make a sample missing.
+    """
+
+    marker: int
+    start: int
+    values: NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Slots:
+    """Places in a file and what belongs there, ordered by frame, each place once.
+
+    Attributes
+    ----------
+    frames : ndarray of int, shape (n,)
+        Frames from 0.
+    points : ndarray of int, shape (n,)
+        Stored points.
+    raw : ndarray of uint8, shape (n, layout.slot)
+        The bytes.
+    values : ndarray, shape (n, 3), float64
+        The coordinates that they stand for, NaN for a missing sample.
+    notes : tuple of str
+        What was not written exactly as it was given.
+    """
+
+    frames: NDArray[np.int64]
+    points: NDArray[np.int64]
+    raw: NDArray[np.uint8]
+    values: NDArray[np.float64]
+    notes: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    def within(self, first: int, count: int) -> slice:
+        """Return which slots lie in `count` frames from `first`."""
+        start, stop = np.searchsorted(self.frames, [first, first + count])
+        return slice(int(start), int(stop))
+
+
+def encode_runs(source: C3DFile, runs: Sequence[SampleRun]) -> Slots:
+    """Encode runs for the file that they repair; where runs overlap, the last one counts.
+
+    A filled sample gets the fourth word 0: computed, seen by no camera. A missing one gets
+    coordinates 0 and the fourth word -1, which every reader understands.
+
+    Raises
+    ------
+    MocapmendError
+        If a value does not fit into the number format of the file.
+    ValueError
+        If a run lies outside the recording or its values are not samples.
+    """
+    layout = source.layout
+    frames, markers, values = _flatten(source, runs)
+    points = np.array(source.marker_points, np.int64)[markers]
+    missing = np.isnan(values[:, 0])
+    present = np.where(missing[:, None], 0.0, values)
+    limit = layout.processor.largest if layout.is_float else 32767.5 * layout.scale
+    too_large = np.flatnonzero((np.abs(present) >= limit).any(axis=1))
+    if len(too_large):
+        at = too_large[0]
+        raise _does_not_fit(source, int(markers[at]), int(frames[at]), present[at], limit)
+    words, zeros, moved = _words(present, ~missing, layout)
+    words[missing, 3] = -1
+    values[zeros] = moved
+    raw = (encode_floats if layout.is_float else encode_integers)(words, layout.processor)
+    notes = []
+    if zeros.any():
+        notes.append(
+            f"{int(zeros.sum())} samples at (0, 0, 0), which means missing in a C3D file, were "
+            f"moved by {np.abs(moved).max():.3g} {source.recording.unit}."
+        )
+    return Slots(frames, points, raw.reshape(-1, layout.slot), values, tuple(notes))
+
+
+def _flatten(
+    source: C3DFile, runs: Sequence[SampleRun]
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
+    """Return frames, markers and values of all samples, ordered and each one once."""
+    recording = source.recording
+    for run in runs:
+        inside = 0 <= run.start <= recording.frames - len(run.values)
+        if run.values.ndim != 2 or run.values.shape[1] != 3:
+            raise ValueError(f"values must be (n, 3), not {run.values.shape}")
+        if not (inside and 0 <= run.marker < recording.markers):
+            raise ValueError(
+                f"marker {run.marker}, frames {run.start} to {run.start + len(run.values) - 1} "
+                f"are not all in {recording.markers} markers and {recording.frames} frames"
+            )
+    if not runs:
+        return np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 3))
+    frames = np.concatenate([run.start + np.arange(len(run.values)) for run in runs])
+    markers = np.repeat([run.marker for run in runs], [len(run.values) for run in runs])
+    values = np.concatenate([run.values for run in runs]).astype(np.float64)
+    if (np.isnan(values).any(axis=1) != np.isnan(values).all(axis=1)).any():
+        raise ValueError("a sample has some coordinates and not others")
+    keys = frames * recording.markers + markers
+    _, last = np.unique(keys[::-1], return_index=True)
+    chosen = len(keys) - 1 - last
+    return frames[chosen], markers[chosen], values[chosen]
+
+
+def _words(
+    values: NDArray[np.float64], present: NDArray[np.bool_], layout: Layout
+) -> tuple[Words, NDArray[np.bool_], NDArray[np.float64]]:
+    """Return the words (n, 4), which samples would read as missing, and where these went."""
+    kind = np.float32 if layout.is_float else np.int16
+    words = np.zeros((len(values), 4), kind)
+    words[:, :3] = values if layout.is_float else np.rint(values / layout.scale)
+    zeros = present & ~words[:, :3].any(axis=1)
+    if not zeros.any():
+        return words, zeros, np.zeros((0, 3))
+    at = np.flatnonzero(zeros)
+    axis = np.abs(values[at]).argmax(axis=1)
+    sign = np.where(values[at, axis] < 0, -1, 1)
+    words[at, :3] = 0
+    words[at, axis] = sign * (NOT_ZERO if layout.is_float else 1)
+    step = 1.0 if layout.is_float else layout.scale
+    return words, zeros, words[at, :3].astype(np.float64) * step
+
+
+def _does_not_fit(
+    source: C3DFile, marker: int, frame: int, value: NDArray[np.float64], limit: float
+) -> MocapmendError:
+    recording = source.recording
+    kind = "numbers" if source.layout.is_float else "integers"
+    return MocapmendError(
+        f"Marker {recording.labels[marker]} at frame {recording.first_frame + frame}: "
+        f"{value[np.abs(value).argmax()]:g} {recording.unit} does not fit into the {kind} of "
+        f"this file, which end at {limit:g}.",
+        str(source.path),
+        "Leave this sample out, or fill it in another way.",
+    )

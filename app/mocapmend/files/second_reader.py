@@ -1,0 +1,189 @@
+"""A second opinion on a saved file: what the c3d library reads in it."""
+
+import struct
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend.errors import MocapmendError
+from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs
+from mocapmend.files.c3d_header import BLOCK
+from mocapmend.files.c3d_layout import Layout
+from mocapmend.files.c3d_reader import C3DFile
+
+REFUSALS = (
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    MemoryError,
+    NameError,
+    TypeError,
+    ValueError,
+    struct.error,
+)
+"""What the library raises for files that it does not understand."""
+
+CHUNK = 256
+"""Frames that are compared at a time."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Frames:
+    """Frames as the library reads them.
+
+    Attributes
+    ----------
+    first : int
+        The first of them, from 0.
+    points : ndarray, shape (frames, points, 5), float32
+        x, y, z, residual or -1, cameras.
+    analog : ndarray, shape (frames, analog values)
+        In their units.
+    """
+
+    first: int
+    points: NDArray[np.float32]
+    analog: NDArray[np.float64]
+
+
+class _RefusedError(Exception):
+    """The library cannot read a file, or not as we do."""
+
+
+@np.errstate(all="ignore")
+def confirm_with_c3d(
+    original: Path, saved: Path, source: C3DFile, runs: Sequence[SampleRun]
+) -> str:
+    """Read both files with the c3d library and compare them frame by frame.
+
+    Parameters
+    ----------
+    original, saved : Path
+        The file before and after.
+    source : C3DFile
+        The original as our own reader read it.
+    runs : sequence of SampleRun
+        What was written.
+
+    Returns
+    -------
+    str
+        A sentence that says what was confirmed, or that the library cannot read the original.
+
+    Raises
+    ------
+    MocapmendError
+        If the library reads the original, but cannot read the saved file or reads something else
+        in it than what was written.
+    """
+    slots = encode_runs(source, runs)
+    layout = source.layout
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        before, after = _read(Path(original), layout), _read(Path(saved), layout)
+        count = 0
+        while True:
+            try:
+                expected = next(before, None)
+            except _RefusedError as error:
+                return f"No second check, the c3d library cannot read this file: {error}."
+            try:
+                read = next(after, None)
+            except _RefusedError as error:
+                raise _contradiction(saved, f"it cannot read it: {error}") from error
+            if expected is None and read is None:
+                break
+            if expected is None or read is None or len(expected.points) != len(read.points):
+                raise _contradiction(saved, "it reads another number of frames")
+            _compare(expected, read, slots, layout, saved)
+            count += len(read.points)
+    samples = int(np.count_nonzero(slots.frames < count))
+    return (
+        f"The c3d library read {count} frames of both files: {samples} of {len(slots)} written "
+        "samples decode as they should, and all else is the same."
+    )
+
+
+def _read(path: Path, layout: Layout) -> Iterator[_Frames]:
+    """Yield what the library reads."""
+    # Imported late: only saving needs it.
+    import c3d
+
+    try:
+        stream = path.open("rb")
+    except OSError as error:
+        raise MocapmendError(f"The file cannot be read: {error.strerror}.", str(path)) from error
+    with stream:
+        try:
+            reader = c3d.Reader(stream)
+            if _shape(reader) != _own_shape(layout):
+                raise _RefusedError("it finds other numbers of points, analog values or scale")
+            yield from _in_chunks(reader.read_frames(copy=False), layout)
+        except REFUSALS as error:
+            reason = f"{type(error).__name__} {error}".strip(". \n")
+            raise _RefusedError(reason) from error
+
+
+def _in_chunks(frames: Iterator[tuple[int, Any, Any]], layout: Layout) -> Iterator[_Frames]:
+    """Gather the library's single frames; the arrays are used again for the next ones."""
+    points = np.empty((CHUNK, layout.points, 5), np.float32)
+    analog = np.empty((CHUNK, layout.channels * layout.analog_samples))
+    first = count = 0
+    for _, frame_points, frame_analog in frames:
+        points[count] = frame_points
+        analog[count] = frame_analog.reshape(-1)
+        count += 1
+        if count == CHUNK:
+            yield _Frames(first, points, analog)
+            first, count = first + CHUNK, 0
+    if count:
+        yield _Frames(first, points[:count], analog[:count])
+
+
+def _shape(reader: Any) -> tuple[int, int, int, float]:
+    """Return points, analog values, data block and scale as the library sees them."""
+    values = reader.analog_used * reader.analog_per_frame
+    return reader.point_used, values, reader.header.data_block, float(reader.point_scale)
+
+
+def _own_shape(layout: Layout) -> tuple[int, int, int, float]:
+    return (
+        layout.points,
+        layout.channels * layout.analog_samples,
+        layout.data_start // BLOCK + 1,
+        -layout.scale if layout.is_float else layout.scale,
+    )
+
+
+def _compare(expected: _Frames, read: _Frames, slots: Slots, layout: Layout, saved: Path) -> None:
+    """Compare frames of the original with the same frames of the saved file."""
+    inside = slots.within(read.first, len(read.points))
+    at = slots.frames[inside] - read.first, slots.points[inside]
+    written, got = slots.values[inside], read.points[at]
+    missing = np.isnan(written[:, 0])
+    target = np.where(missing[:, None], 0.0, written).astype(np.float32)
+    allowed = 0.0 if layout.is_float else 0.5 * layout.scale + np.spacing(np.abs(target))
+    near = np.abs(got[:, :3].astype(np.float64) - target) <= allowed
+    if not (near.all() and np.array_equal(got[:, 3], np.where(missing, -1, 0))):
+        raise _contradiction(saved, "written samples read differently")
+    expected.points[at] = got
+    # Bytes, because a NaN is not equal to itself.
+    for one, other in ((expected.points, read.points), (expected.analog, read.analog)):
+        if one.tobytes() != other.tobytes():
+            raise _contradiction(
+                saved, f"data that were not written differ after frame {read.first} (from 0)"
+            )
+
+
+def _contradiction(saved: Path, what: str) -> MocapmendError:
+    return MocapmendError(
+        f"The c3d library does not confirm the saved file: {what}.",
+        str(saved),
+        "Do not use the file, and report this.",
+    )

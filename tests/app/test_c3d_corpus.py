@@ -1,0 +1,245 @@
+"""Real files: the bundled ones, and the shared ones with the figures of their manifest."""
+
+import hashlib
+import re
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+
+import c3d
+import numpy as np
+import pytest
+
+from mocapmend.errors import MocapmendError
+from mocapmend.files import (
+    C3DFile,
+    SampleRun,
+    check_files,
+    confirm_with_c3d,
+    read_c3d,
+    save_patched,
+)
+from mocapmend.files.c3d_samples import marked_missing, point_words, read_blocks, unmarked_missing
+from mocapmend.files.second_reader import REFUSALS
+from mocapmend_algorithms import find_gaps
+
+SHARED = Path(__file__).resolve().parents[3] / "shared" / "data"
+SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "mocapmend_resources" / "samples"
+KINDS = {"INTEL": "Intel", "DEC": "DEC", "MIPS": "MIPS"}
+
+
+@dataclass(frozen=True)
+class Row:
+    """What the manifest says of a file."""
+
+    path: Path
+    kind: str
+    frames: int
+    rate: float
+    points: int
+    markers: int | None
+    unit: str
+    missing: float
+    gaps: str
+    analog: int
+    events: int | None
+
+
+def manifest() -> list[Row]:
+    """Parse the tables of the manifest; none without the shared folder."""
+    rows = []
+    folder = ""
+    table = SHARED / "MANIFEST.md"
+    for line in table.read_text("utf-8").splitlines() if table.is_file() else ():
+        if line.startswith("## "):
+            folder = line.split()[1].strip("/")
+        cells = [cell.strip() for cell in line.split("|")[1:-1]]
+        if len(cells) != 13 or not cells[0].lower().endswith(".c3d") or cells[3] == "-":
+            continue
+        points = re.fullmatch(r"(\d+) \((\d+|-)\)", cells[6])
+        rest = re.match(r"A(\d+) FP\S+ ev(\d+|-)", cells[11])
+        assert points and rest, line
+        rows.append(
+            Row(
+                SHARED / folder / cells[0], cells[3], int(cells[4]), float(cells[5]),
+                int(points[1]), None if points[2] == "-" else int(points[2]), cells[7],
+                float(cells[8]), cells[9], int(rest[1]), None if rest[2] == "-" else int(rest[2]),
+            )
+        )  # fmt: skip
+    return rows
+
+
+ROWS = manifest()
+FILES = [*sorted(SAMPLES.glob("*.c3d")), *(row.path for row in ROWS)]
+each_row = pytest.mark.parametrize("row", ROWS, ids=lambda row: row.path.stem)
+each_file = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+
+
+def missing_of_all_points(file: C3DFile) -> np.ndarray:
+    """Whether each stored point is missing, model outputs included as in the manifest."""
+    layout = file.layout
+    missing = np.zeros((layout.frames, layout.points), bool)
+    with file.path.open("rb", buffering=0) as stream, np.errstate(all="ignore"):
+        for first, block in read_blocks(stream, layout, ""):
+            words = point_words(block, layout)
+            marked = marked_missing(words[..., 3])
+            missing[first : first + len(block)] = marked | unmarked_missing(words, marked)
+    return missing
+
+
+@each_row
+def test_figures_of_the_manifest(row: Row) -> None:
+    file = read_c3d(row.path)
+    recording, layout = file.recording, file.layout
+    kind = f"{KINDS[layout.processor.name]} {'float' if layout.is_float else 'int'}"
+    assert (kind, layout.frames) == (row.kind, row.frames)
+    assert recording.rate == pytest.approx(row.rate, abs=0.006)
+    assert layout.points == row.points
+    assert recording.markers == (row.points if row.markers is None else row.markers)
+    # "mete" is what is left of "metres" in four letters.
+    assert recording.unit == {"": "mm", "mete": "m"}.get(row.unit, row.unit)
+    share = missing_of_all_points(file).mean() if layout.frames and layout.points else 0.0
+    assert 100 * share == pytest.approx(row.missing, abs=0.051)
+    if row.gaps != "-":
+        gaps = find_gaps(recording.present)
+        interior = [gap.length for gap in gaps if gap.kind(recording.frames) == "interior"]
+        assert f"{len(interior)}/{max(interior, default=0)}" == row.gaps
+    assert layout.channels * layout.analog_samples == row.analog
+    assert len(file.events) == (row.events or 0) or row.events is None
+
+
+@pytest.mark.parametrize(
+    ("name", "missing"),
+    [("btk_FunctionalStatic", 20_960), ("ktk_kinematics_tennis_serve_nan", 145)],
+)
+def test_known_numbers_of_missing_samples(name: str, missing: int, shared: Path) -> None:
+    recording = read_c3d(shared / "c3d" / f"{name}.c3d").recording
+    assert np.count_nonzero(~recording.present) == missing
+
+
+def test_six_encodings_of_one_recording(shared: Path) -> None:
+    files = [read_c3d(shared / "c3d" / f"btk_Eb015{kind}.c3d") for kind in
+             ("pi", "pr", "si", "sr", "vi", "vr")]  # fmt: skip
+    first = files[0]
+    for file in files[1:]:
+        assert file.recording.points.tobytes() == first.recording.points.tobytes()
+        np.testing.assert_array_equal(file.residuals, first.residuals)
+        np.testing.assert_allclose(file.read_analog(), first.read_analog(), rtol=1e-6, atol=1e-9)
+        assert file.recording.labels == first.recording.labels
+        assert file.analog_labels == first.analog_labels
+        assert file.events == first.events
+
+
+def test_traps_of_single_files(shared: Path) -> None:
+    folder = shared / "c3d"
+    with pytest.raises(MocapmendError, match="empty"):
+        read_c3d(folder / "btk_Empty.c3d")
+    optotrak = read_c3d(folder / "ezc3d_Optotrak.c3d")
+    assert optotrak.truncated
+    assert any("1149 frames, but only 29" in text for text in optotrak.warnings)
+    # With POINT:SCALE instead of the header's scale these shoulders were 57 cm high.
+    adult = read_c3d(folder / "btk_MACsample.c3d").recording
+    shoulder = adult.points[:, adult.labels.index("RSHO"), 2]
+    assert 1400 < np.nanmean(shoulder) < 1550
+    # Qualisys says -Z of data that have Z up.
+    assert read_c3d(folder / "ktk_Qualisys.c3d").recording.up == "+z"
+    assert read_c3d(folder / "btk_standing.C3D").recording.up == "+y"
+    for name in ("btk_1123x01EMG", "ezc3d_Kistler", "ktk_C3DRotationExample", "btk_Analysis"):
+        file = read_c3d(folder / f"{name}.c3d")
+        assert file.recording.markers == 0
+        assert any("nothing to repair" in text for text in file.warnings)
+
+
+def test_events_lie_in_the_recording(samples: Path, shared: Path) -> None:
+    # Counted from the first stored frame instead of frame 1, all of them would lie outside.
+    gait = read_c3d(samples / "gait_plug_in_gait.c3d")
+    assert {(event.label, event.context) for event in gait.events} == {
+        (label, side) for label in ("Foot Strike", "Foot Off") for side in ("Left", "Right")
+    }
+    assert all(abs(event.frame - round(event.frame)) < 0.001 for event in gait.events)
+    walk = read_c3d(shared / "c3d" / "btk_FunctionalWalk.c3d")
+    for file in (gait, walk):
+        assert all(0 <= event.frame < file.recording.frames for event in file.events)
+
+
+def test_bundled_samples(samples: Path) -> None:
+    found = {}
+    for path in samples.glob("*.c3d"):
+        file = read_c3d(path)
+        recording = file.recording
+        shape = (recording.frames, recording.markers, recording.rate, recording.unit)
+        missing = int(np.count_nonzero(~recording.present))
+        found[path.stem] = (*shape, missing, len(file.events))
+    assert found["gait_plug_in_gait"] == (293, 56, 100.0, "mm", 802, 12)
+    assert found["sprint_basketball"] == (3678, 26, 120.0, "m", 37_068, 0)
+    assert found["walk_cmu_02_01"] == (343, 41, 120.0, "mm", 0, 0)
+
+
+@each_file
+def test_the_c3d_library_reads_the_same(path: Path) -> None:
+    file = read_c3d(path)
+    with warnings.catch_warnings(), path.open("rb") as stream:
+        warnings.simplefilter("ignore")
+        try:
+            reader = c3d.Reader(stream)
+            frames = [points for _, points, _ in reader.read_frames()]
+            labels = [str(label).strip(" \0") for label in reader.point_labels]
+        except REFUSALS as error:
+            pytest.skip(f"the c3d library refuses it: {error!r}")
+    recording, layout = file.recording, file.layout
+    assert len(frames) == layout.frames
+    assert reader.point_rate == pytest.approx(recording.rate)
+    shown = [labels[i] for i in file.marker_points if i < len(labels)]
+    assert [one for one, other in zip(recording.labels, shown, strict=False) if other] == [
+        label for label in shown if label
+    ]
+    theirs = np.array(frames).reshape(layout.frames, layout.points, 5)[:, list(file.marker_points)]
+    present = recording.present
+    # It takes 65535.0 and exact zeros for valid samples; what it calls missing we do too.
+    assert not (present & (theirs[..., 3] < 0)).any()
+    extra = ~present & (theirs[..., 3] >= 0)
+    assert (theirs[extra][:, :3] == 0).all()
+    np.testing.assert_array_equal(recording.points[present], theirs[present][:, :3])
+    np.testing.assert_allclose(file.residuals[present], theirs[present][:, 3], rtol=1e-6)
+
+
+def some_runs(file: C3DFile) -> list[SampleRun]:
+    """Return other values for 5 % of each marker's frames."""
+    rng = np.random.default_rng(7)
+    recording = file.recording
+    count = max(recording.frames // 20, 1)
+    runs = []
+    for marker in range(recording.markers if recording.frames else 0):
+        start = int(rng.integers(0, recording.frames - count + 1))
+        values = np.nan_to_num(recording.points[start : start + count, marker], nan=10.0)
+        values += rng.normal(size=values.shape) * 3 / recording.mm
+        values[0] = np.nan
+        # Integers close to the limit cannot grow.
+        layout = file.layout
+        limit = np.inf if layout.is_float else 32767 * layout.scale
+        runs.append(SampleRun(marker, start, np.clip(values, -limit, limit)))
+    return runs
+
+
+@each_file
+def test_save_and_check(path: Path, tmp_path: Path) -> None:
+    file = read_c3d(path)
+    out = tmp_path / "out.c3d"
+    save_patched(file, [], out, accept_truncated=True)
+    assert hashlib.sha256(out.read_bytes()).digest() == hashlib.sha256(path.read_bytes()).digest()
+    runs = some_runs(file)
+    saved = save_patched(file, runs, out, accept_truncated=True)
+    assert saved.samples == sum(len(run.values) for run in runs)
+    report = check_files(path, out)
+    assert report.passed, report.other_differences
+    if runs:
+        assert 0 < report.changed_samples <= saved.samples
+    assert "all else is the same" in (sentence := confirm_with_c3d(path, out, file, runs)) or (
+        sentence.startswith("No second check")
+    )
+    again = read_c3d(out)
+    touched = np.zeros(file.recording.present.shape, bool)
+    for run in runs:
+        touched[run.start : run.start + len(run.values), run.marker] = True
+    np.testing.assert_array_equal(again.recording.points[~touched], file.recording.points[~touched])
+    np.testing.assert_array_equal(again.residuals[~touched], file.residuals[~touched])
