@@ -1,0 +1,63 @@
+"""Prove that a repaired file differs from its original in marker samples alone."""
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from mocapmend.cli import common
+from mocapmend.cli.console import Console
+from mocapmend.files import CheckReport, check_files
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the command takes."""
+    parser.add_argument("original", type=Path, metavar="ORIGINAL", help="the C3D file as it was")
+    parser.add_argument("repaired", type=Path, metavar="REPAIRED", help="the repaired copy")
+
+
+def run(arguments: argparse.Namespace, console: Console) -> int:
+    """Print what differs; return 0 if nothing but marker samples does, else 1."""
+    found = check_files(arguments.original, arguments.repaired)
+    console.result(
+        original=str(arguments.original), repaired=str(arguments.repaired), **as_json(found)
+    )
+    if found.changed:
+        console.table(
+            ("Marker", ">Changed frames", ">Length"),
+            [
+                (
+                    run.label,
+                    common.span(run.first_frame, run.last_frame),
+                    str(run.last_frame - run.first_frame + 1),
+                )
+                for run in found.changed
+            ],
+        )
+    console.say(sentence(found))
+    if not found.passed:
+        console.warn(f"{arguments.repaired}: the check failed:")
+        for difference in found.other_differences:
+            console.warn(difference)
+    return 0 if found.passed else 1
+
+
+def as_json(found: CheckReport) -> dict[str, object]:
+    """Return what a comparison found, for JSON."""
+    return {
+        "passed": found.passed,
+        "identical": found.identical,
+        "changed_samples": found.changed_samples,
+        "changed": [asdict(run) for run in found.changed],
+        "other_differences": list(found.other_differences),
+    }
+
+
+def sentence(found: CheckReport) -> str:
+    """Say in one sentence what a comparison found."""
+    if found.identical:
+        return "The files are the same, byte for byte."
+    samples = common.count(found.changed_samples, "marker sample")
+    if found.passed:
+        return f"Check passed: {samples} changed; all else is the same, byte for byte."
+    others = common.count(len(found.other_differences), "other difference")
+    return f"Check failed: {samples} changed, and there is more: {others}."

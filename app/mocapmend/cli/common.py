@@ -1,0 +1,67 @@
+"""What several commands share: their arguments, reading a file, describing a gap."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mocapmend.cli.console import Console
+from mocapmend.files import C3DFile
+from mocapmend_algorithms import Gap, Recording
+
+
+def add_file(parser: argparse.ArgumentParser) -> None:
+    """Let a command take a recording."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="a C3D file")
+
+
+def show_warnings(source: C3DFile, console: Console) -> None:
+    """Say on stderr what is odd about a file."""
+    for warning in source.warnings:
+        console.warn(f"{source.path}: {warning}")
+
+
+def facts(source: C3DFile) -> dict[str, Any]:
+    """Return what every JSON document says about its file."""
+    return {
+        "file": str(source.path),
+        "truncated": source.truncated,
+        "warnings": list(source.warnings),
+    }
+
+
+def place(recording: Recording, gap: Gap) -> dict[str, Any]:
+    """Return where a gap is, for JSON; frames as the file counts them."""
+    return {
+        "marker": recording.labels[gap.marker],
+        "marker_index": gap.marker,
+        "first_frame": recording.first_frame + gap.start,
+        "last_frame": recording.first_frame + gap.stop - 1,
+    }
+
+
+def frames_text(recording: Recording, gap: Gap) -> str:
+    """Return the frames of a gap as people write them."""
+    return span(recording.first_frame + gap.start, recording.first_frame + gap.stop - 1)
+
+
+def span(first: int, last: int) -> str:
+    """Return "7-12", or "7" for one frame."""
+    return f"{first}-{last}" if last > first else f"{first}"
+
+
+def milliseconds(recording: Recording, gap: Gap) -> float:
+    """Return how long a gap is."""
+    return 1000 * gap.length / recording.rate
+
+
+def missing_percent(recording: Recording) -> list[float]:
+    """Return in how many % of the frames each marker is missing."""
+    missing = np.count_nonzero(~recording.present, axis=0)
+    return [100 * count / max(recording.frames, 1) for count in missing.tolist()]
+
+
+def count(number: int, thing: str) -> str:
+    """Return "1 gap", "2 gaps"."""
+    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"

@@ -1,0 +1,107 @@
+"""Say what a file holds: frames, markers and what is missing of them, events, analog data."""
+
+import argparse
+from typing import Any
+
+from mocapmend import engine
+from mocapmend.cli import common
+from mocapmend.cli.console import Console
+from mocapmend.files import C3DFile
+from mocapmend_algorithms import find_gaps
+from mocapmend_algorithms.skeleton import Skeleton
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the command takes."""
+    common.add_file(parser)
+
+
+def run(arguments: argparse.Namespace, console: Console) -> int:
+    """Print the facts and return the exit code."""
+    console.start("Reading")
+    source, skeleton = engine.load(arguments.file, console.progress)
+    common.show_warnings(source, console)
+    markers = _markers(source)
+    console.result(**common.facts(source), **_content(source, skeleton), markers=markers)
+    for line in _summary(source, skeleton):
+        console.say(line)
+    incomplete = [marker for marker in markers if marker["gaps"]]
+    if incomplete:
+        console.say("")
+        console.table(
+            ("Marker", ">Missing %", ">Gaps", ">Longest gap (frames)"),
+            [
+                (m["label"], f"{m['missing_percent']:.2f}", str(m["gaps"]), str(m["longest_gap"]))
+                for m in incomplete
+            ],
+        )
+    return 0
+
+
+def _content(source: C3DFile, skeleton: Skeleton) -> dict[str, Any]:
+    recording, layout = source.recording, source.layout
+    return {
+        "frames": recording.frames,
+        "first_frame": recording.first_frame,
+        "last_frame": recording.first_frame + recording.frames - 1,
+        "rate_hz": recording.rate,
+        "duration_s": recording.frames / recording.rate,
+        "unit": recording.unit,
+        "up_axis": recording.up,
+        "processor": layout.processor.name.lower(),
+        "number_format": "float" if layout.is_float else "integer",
+        "model_outputs": list(source.model_outputs),
+        "events": [
+            {
+                "label": event.label,
+                "context": event.context,
+                "frame": recording.first_frame + event.frame,
+                "time_s": event.time,
+            }
+            for event in source.events
+        ],
+        "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
+        "skeleton": {
+            "name": skeleton.name,
+            "source": skeleton.source,
+            "bones": len(skeleton.bones),
+        },
+    }
+
+
+def _markers(source: C3DFile) -> list[dict[str, Any]]:
+    recording = source.recording
+    lengths: list[list[int]] = [[] for _ in recording.labels]
+    for gap in find_gaps(recording.present):
+        lengths[gap.marker].append(gap.length)
+    return [
+        {
+            "label": label,
+            "missing_percent": missing,
+            "gaps": len(lengths[index]),
+            "longest_gap": max(lengths[index], default=0),
+        }
+        for index, (label, missing) in enumerate(
+            zip(recording.labels, common.missing_percent(recording), strict=True)
+        )
+    ]
+
+
+def _summary(source: C3DFile, skeleton: Skeleton) -> list[str]:
+    recording, layout = source.recording, source.layout
+    seconds = recording.frames / recording.rate
+    last = recording.first_frame + recording.frames - 1
+    numbers = "floats" if layout.is_float else "integers"
+    found = {"template": skeleton.name, "distances": "from constant distances", "none": "none"}
+    span = f"{recording.frames} ({recording.first_frame}-{last})"
+    lines = [
+        ("File", str(source.path)),
+        ("Format", f"C3D, {layout.processor.name}, {numbers}"),
+        ("Frames", f"{span}, {recording.rate:g} Hz, {seconds:.2f} s"),
+        ("Markers", f"{recording.markers}, in {recording.unit}, {recording.up} up"),
+        ("Model outputs", str(len(source.model_outputs))),
+        ("Events", str(len(source.events))),
+        ("Analog", f"{len(source.analog_labels)} channels, {source.analog_rate:g} Hz"),
+        ("Skeleton", f"{found[skeleton.source]}, {common.count(len(skeleton.bones), 'bone')}"),
+    ]
+    return [f"{name + ':':<15}{text}" for name, text in lines]

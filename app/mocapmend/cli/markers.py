@@ -1,0 +1,51 @@
+"""Which markers a command is about."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from mocapmend.errors import MocapmendError
+from mocapmend.files import C3DFile
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
+
+NOT_CHOSEN = "the marker is not among those asked for"
+MOST_LISTED = 60
+
+
+def choose(source: C3DFile, words: Sequence[str] | None) -> frozenset[int]:
+    """Find markers by their labels.
+
+    Parameters
+    ----------
+    source : C3DFile
+        Where to look.
+    words : sequence of str, optional
+        Labels, or several joined by commas; all markers if None. A label that several markers
+        have means all of them.
+
+    Raises
+    ------
+    MocapmendError
+        If there is no such marker.
+    """
+    labels = source.recording.labels
+    if words is None:
+        return frozenset(range(len(labels)))
+    # A label may hold a comma itself.
+    parts = [part for word in words for part in ([word] if word in labels else word.split(","))]
+    wanted = {part.strip() for part in parts} - {""}
+    unknown = sorted(wanted.difference(labels))
+    if unknown:
+        known = list(dict.fromkeys(labels))
+        listed = ", ".join(known[:MOST_LISTED]) + (", ..." if len(known) > MOST_LISTED else "")
+        raise MocapmendError(
+            f"There is no marker {unknown[0]!r}.", str(source.path), f"The markers are: {listed}."
+        )
+    return frozenset(index for index, label in enumerate(labels) if label in wanted)
+
+
+def with_the_others(result: FillResult, gaps: Sequence[Gap], wanted: Collection[int]) -> FillResult:
+    """Add the gaps of markers that were not asked for to those left open, in the gaps' order."""
+    reasons = {entry.gap: entry for entry in result.unfilled}
+    reasons |= {gap: Unfilled(gap, NOT_CHOSEN) for gap in gaps if gap.marker not in wanted}
+    return replace(result, unfilled=tuple(reasons[gap] for gap in gaps if gap in reasons))

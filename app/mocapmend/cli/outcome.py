@@ -1,0 +1,187 @@
+"""What `repair` says about what it did: JSON, text, and the head of the report."""
+
+import dataclasses
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mocapmend.cli import check, common
+from mocapmend.cli.console import Console
+from mocapmend.engine import Exported
+from mocapmend.files import C3DFile
+from mocapmend.report import About, RepairRow
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.fill.registry import Method
+
+MOST_ROWS = 20
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """A finished repair."""
+
+    source: C3DFile
+    method: Method
+    params: Any
+    limits: Limits
+    result: FillResult
+    exported: Exported
+
+    @cached_property
+    def repairs(self) -> tuple[RepairRow, ...]:
+        """The filled gaps."""
+        recording = self.source.recording
+        return tuple(
+            RepairRow.of(patch, self.method.id, recording) for patch in self.result.patches
+        )
+
+    @property
+    def about(self) -> About:
+        """The head of the report."""
+        proof = [check.sentence(self.exported.check)] if self.exported.check else []
+        return About(
+            file=self.source.path.name,
+            methods=(self._method_text(),),
+            limits=self._limits_text(),
+            warnings=self.source.warnings,
+            proof=(*proof, self.exported.second_reader, *self.exported.saved.notes),
+        )
+
+    # --- JSON --------------------------------------------------------------------------------
+
+    def as_json(self, *, report: Path | None, samples: bool) -> dict[str, Any]:
+        """Return the document's content."""
+        recording, proof = self.source.recording, self.exported.check
+        missing = int(np.count_nonzero(~recording.present))
+        filled = sum(row.gap.length for row in self.repairs)
+        return {
+            **common.facts(self.source),
+            "output": str(self.exported.saved.path),
+            "report": None if report is None else str(report),
+            "method": self.method.id,
+            "parameters": dataclasses.asdict(self.params),
+            "limits": {
+                "default_guard": self.limits.default,
+                "max_gap_frames": self.limits.frames(self.method, recording.rate),
+                "max_error_mm": self.limits.error_mm,
+            },
+            "gaps": self._gaps(samples=samples),
+            "totals": {
+                "gaps": len(self.repairs) + len(self.result.unfilled),
+                "filled": len(self.repairs),
+                "left_open": len(self.result.unfilled),
+                "samples_filled": filled,
+                "samples_missing_before": missing,
+                "samples_missing_after": missing - filled,
+            },
+            "notes": list(self.exported.saved.notes),
+            "second_reader": self.exported.second_reader,
+            "check": None if proof is None else check.as_json(proof),
+        }
+
+    def _gaps(self, *, samples: bool) -> list[dict[str, Any]]:
+        recording = self.source.recording
+        rows = {}
+        for repair, patch in zip(self.repairs, self.result.patches, strict=True):
+            rows[repair.gap] = {
+                **common.place(recording, repair.gap),
+                "method": repair.method,
+                "donors": list(repair.donors),
+                "expected_error_mm": repair.expected_error_mm,
+                "r90_mm": repair.r90_mm,
+                "filled": True,
+                "reason": None,
+            }
+            if samples:
+                rows[repair.gap]["r90_samples_mm"] = (patch.r90 * recording.mm).tolist()
+        for entry in self.result.unfilled:
+            rows[entry.gap] = {
+                **common.place(recording, entry.gap),
+                "method": None,
+                "donors": [],
+                "expected_error_mm": None,
+                "r90_mm": None,
+                "filled": False,
+                "reason": entry.reason,
+            }
+            if samples:
+                rows[entry.gap]["r90_samples_mm"] = None
+        return [rows[gap] for gap in sorted(rows)]
+
+    # --- text --------------------------------------------------------------------------------
+
+    def show(self, console: Console, *, report: Path | None) -> None:
+        """Print it for people."""
+        saved, proof = self.exported.saved, self.exported.check
+        console.say(f"Repaired: {saved.path}")
+        if report is not None:
+            console.say(f"Report:   {report}")
+        console.say(f"Method:   {self._method_text()}")
+        console.say(f"Limits:   {self._limits_text()}")
+        total = len(self.repairs) + len(self.result.unfilled)
+        console.say(
+            f"Filled:   {len(self.repairs)} of {common.count(total, 'gap')}, "
+            f"{common.count(saved.samples, 'sample')}{self._worst()}"
+        )
+        for note in (*([check.sentence(proof)] if proof else []), self.exported.second_reader):
+            console.say(note)
+        for note in saved.notes:
+            console.warn(note)
+        self._show_open_gaps(console)
+
+    def _show_open_gaps(self, console: Console) -> None:
+        unfilled, recording = self.result.unfilled, self.source.recording
+        if not unfilled:
+            return
+        console.say(f"\n{common.count(len(unfilled), 'gap')} left open:")
+        console.table(
+            ("Marker", ">Frames", ">Length", "Why"),
+            [
+                (
+                    recording.labels[entry.gap.marker],
+                    common.frames_text(recording, entry.gap),
+                    str(entry.gap.length),
+                    entry.reason,
+                )
+                for entry in unfilled[:MOST_ROWS]
+            ],
+        )
+        if len(unfilled) > MOST_ROWS:
+            console.say(f"and {len(unfilled) - MOST_ROWS} more: --json and --report list them all.")
+        if self.limits.default:
+            console.say("--max-gap and --max-error replace the default guard.")
+
+    def _worst(self) -> str:
+        known = [row for row in self.repairs if not np.isnan(row.expected_error_mm)]
+        if not known:
+            return ""
+        worst = max(known, key=lambda row: row.expected_error_mm)
+        recording = self.source.recording
+        return (
+            f"; largest expected error {worst.expected_error_mm:.1f} mm "
+            f"({recording.labels[worst.gap.marker]}, frames "
+            f"{common.frames_text(recording, worst.gap)})"
+        )
+
+    def _method_text(self) -> str:
+        chosen = [
+            f"{field.name}={getattr(self.params, field.name)}"
+            for field in dataclasses.fields(self.params)
+            if getattr(self.params, field.name) != field.default
+        ]
+        return self.method.id + (f" ({', '.join(chosen)})" if chosen else "")
+
+    def _limits_text(self) -> str:
+        rate = self.source.recording.rate
+        frames = self.limits.frames(self.method, rate)
+        parts = []
+        if frames is not None:
+            longest = common.count(frames, "frame")
+            parts.append(f"no gap longer than {longest} ({1000 * frames / rate:.0f} ms)")
+        if np.isfinite(self.limits.error_mm):
+            parts.append(f"no expected error above {self.limits.error_mm:g} mm")
+        return (", ".join(parts) or "none") + (" (default guard)" if self.limits.default else "")

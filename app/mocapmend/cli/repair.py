@@ -1,0 +1,197 @@
+"""Fill gaps and write a repaired copy in which nothing else differs.
+
+Without limits, gaps longer than 0.2 s and gaps whose expected error is above 20 mm stay open; the
+output lists them. --max-error and --max-gap replace these limits.
+"""
+
+import argparse
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from mocapmend import engine
+from mocapmend.cli import common, markers, outcome, target
+from mocapmend.cli.console import Console
+from mocapmend.cli.usage import UsageError
+from mocapmend.errors import MocapmendError
+from mocapmend.files import C3DFile, read_c3d
+from mocapmend_algorithms import find_gaps
+from mocapmend_algorithms.fill import registry
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.limits import Limits
+
+DEFAULT_METHOD = "cubic"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the command takes."""
+    parser.add_argument("file", type=Path, metavar="IN", help="a C3D file")
+    parser.add_argument("-o", "--output", type=Path, metavar="OUT", help="the repaired copy")
+    parser.add_argument(
+        "--method",
+        type=_method,
+        default=DEFAULT_METHOD,
+        metavar="ID",
+        help=f"one of {', '.join(registry.METHODS)} (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--param",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="a parameter of the method; may be given several times",
+    )
+    parser.add_argument(
+        "--max-gap", type=_frames, metavar="FRAMES", help="leave longer gaps open; 0 fills none"
+    )
+    parser.add_argument(
+        "--max-error",
+        type=_millimetres,
+        metavar="MM",
+        help="leave gaps with a larger expected error open; inf fills all that the method can",
+    )
+    parser.add_argument(
+        "--markers",
+        nargs="+",
+        action="extend",
+        metavar="LABEL[,LABEL...]",
+        help="fill gaps of these markers alone",
+    )
+    parser.add_argument(
+        "--report", type=Path, metavar="FILE.html", help="write a report of what was done"
+    )
+    parser.add_argument(
+        "--samples", action="store_true", help="with --json: the 90%% radius of every sample"
+    )
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace OUT and the report if they exist"
+    )
+    parser.add_argument("--in-place", action="store_true", help="replace the recording itself")
+    parser.add_argument(
+        "--accept-truncated",
+        action="store_true",
+        help="save a recording that ends before it should",
+    )
+
+
+def run(arguments: argparse.Namespace, console: Console) -> int:
+    """Repair a recording, say what was done, and return the exit code."""
+    method: registry.Method = arguments.method
+    params = _params(method, arguments.param)
+    out = target.choose(arguments)
+    source = read_c3d(arguments.file)
+    common.show_warnings(source, console)
+    _check_source(source, accept_truncated=arguments.accept_truncated)
+    limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
+    result = _fill(source, arguments.markers, method, params, limits, console)
+    console.start("Writing")
+    exported = engine.export(
+        source,
+        engine.runs_of(result),
+        out,
+        arguments.in_place,
+        arguments.accept_truncated,
+        console.progress,
+    )
+    done = outcome.Outcome(source, method, params, limits, result, exported)
+    if arguments.report is not None:
+        console.start("Report")
+        _write_report(done, arguments.report, console)
+    console.result(**done.as_json(report=arguments.report, samples=arguments.samples))
+    done.show(console, report=arguments.report)
+    return 0
+
+
+def _method(text: str) -> registry.Method:
+    try:
+        return registry.method(text)
+    except KeyError as error:
+        raise argparse.ArgumentTypeError(error.args[0]) from None
+
+
+def _frames(text: str) -> int:
+    try:
+        frames = int(text)
+    except ValueError:
+        frames = -1
+    if frames < 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of frames")
+    return frames
+
+
+def _millimetres(text: str) -> float:
+    try:
+        length = float(text)
+    except ValueError:
+        length = math.nan
+    if not length >= 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is neither a length in mm nor inf")
+    return length
+
+
+def _params(method: registry.Method, pairs: Sequence[str]) -> Any:
+    values = {}
+    for pair in pairs:
+        name, equals, value = pair.partition("=")
+        if not equals:
+            raise UsageError(f"--param takes NAME=VALUE, not {pair!r}")
+        values[name.strip()] = value
+    try:
+        return registry.parse_params(method, values)
+    except ValueError as error:
+        raise UsageError(f"method {method.id}: {error}") from None
+
+
+def _check_source(source: C3DFile, *, accept_truncated: bool) -> None:
+    if source.truncated and not accept_truncated:
+        raise MocapmendError(
+            f"The file is truncated: {source.layout.frames} of "
+            f"{source.layout.frames_promised} frames are there.",
+            str(source.path),
+            "To repair what is there, add --accept-truncated.",
+        )
+    if not source.recording.points.size:
+        raise MocapmendError(
+            "The file holds no marker data: there is nothing to repair.",
+            str(source.path),
+            "Choose another file.",
+        )
+
+
+def _fill(
+    source: C3DFile,
+    labels: Sequence[str] | None,
+    method: registry.Method,
+    params: Any,
+    limits: Limits,
+    console: Console,
+) -> FillResult:
+    """Fill the gaps of the markers that were asked for; account for those of the others too."""
+    recording = source.recording
+    gaps = find_gaps(recording.present)
+    wanted = markers.choose(source, labels)
+    console.start("Filling")
+    result = engine.fill(
+        recording,
+        [gap for gap in gaps if gap.marker in wanted],
+        method.id,
+        params,
+        limits,
+        console.progress,
+    )
+    return markers.with_the_others(result, gaps, wanted)
+
+
+def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:
+    before = done.source.recording
+    engine.write_report(
+        before,
+        engine.repaired(before, done.result),
+        engine.find_skeleton(before, console.progress),
+        done.repairs,
+        done.result.unfilled,
+        done.about,
+        path,
+        console.progress,
+    )

@@ -1,0 +1,184 @@
+"""What the program does to recordings: the same functions for the window and the command line.
+
+Each is a pure function (files aside) that a worker process can import. No Qt.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mocapmend import report
+from mocapmend.errors import MocapmendError
+from mocapmend.files import (
+    C3DFile,
+    CheckReport,
+    SampleRun,
+    Saved,
+    check_files,
+    confirm_with_c3d,
+    read_c3d,
+    save_patched,
+)
+from mocapmend_algorithms import Gap, Progress, Recording
+from mocapmend_algorithms.fill import registry
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
+from mocapmend_algorithms.fill.limits import Limits, fill_within
+from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_from_distances
+from mocapmend_resources import skeletons
+
+ORIGINAL_GONE = (
+    "The original was replaced, so no second program can compare the two: the copy was compared "
+    "with it, byte by byte, before it took its place."
+)
+
+
+def load(path: Path, progress: Progress) -> tuple[C3DFile, Skeleton]:
+    """Read a file and find its skeleton.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be read.
+    """
+    source = read_c3d(path)
+    progress(0.5)
+    skeleton = find_skeleton(source.recording, lambda share: progress(0.5 + 0.5 * share))
+    progress(1.0)
+    return source, skeleton
+
+
+def find_skeleton(recording: Recording, progress: Progress) -> Skeleton:
+    """Find the bones: by the labels where they are known, else by constant distances."""
+    known = match_template(recording.labels, skeletons.load())
+    if known is not None:
+        return known
+    if not recording.present.any():
+        return Skeleton("", (), "none")
+    return skeleton_from_distances(recording, progress)
+
+
+def fill(
+    recording: Recording,
+    gaps: Sequence[Gap],
+    method_id: str,
+    params: Any,
+    limits: Limits,
+    progress: Progress,
+) -> FillResult:
+    """Fill the gaps that a method can fill within the limits; see `fill_within`."""
+    return fill_within(recording, gaps, registry.method(method_id), params, limits, progress)
+
+
+def fill_gap(
+    recording: Recording, gap: Gap, method_id: str, params: Any, progress: Progress
+) -> FillResult:
+    """Fill one gap whatever its length and expected error, to be looked at."""
+    return registry.method(method_id).function(recording, [gap], params, progress)
+
+
+def runs_of(result: FillResult) -> list[SampleRun]:
+    """Return what a fill writes into a file."""
+    return [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
+
+
+def repaired(recording: Recording, result: FillResult) -> Recording:
+    """Return a recording with the filled samples in it."""
+    points = recording.points.copy()
+    for patch in result.patches:
+        points[patch.gap.start : patch.gap.stop, patch.gap.marker] = patch.values
+    return recording.with_points(points)
+
+
+@dataclass(frozen=True)
+class Exported:
+    """A file that was written, and the proofs that it is right.
+
+    Attributes
+    ----------
+    saved : Saved
+        What was written.
+    second_reader : str
+        What an independent C3D library makes of the file, as a sentence.
+    check : CheckReport or None
+        The comparison with the original, passed. None where the original was replaced: the proof
+        is then the comparison of the copy with it before the copy took its place.
+    """
+
+    saved: Saved
+    second_reader: str
+    check: CheckReport | None
+
+
+def export(
+    source: C3DFile,
+    runs: Sequence[SampleRun],
+    out: Path,
+    replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
+    accept_truncated: bool,  # noqa: FBT001
+    progress: Progress,
+) -> Exported:
+    """Write the repaired copy of a file and prove that only the repairs differ.
+
+    Parameters
+    ----------
+    source : C3DFile
+        The file as it was read.
+    runs : sequence of SampleRun
+        The repaired samples.
+    out : Path
+        Where the copy goes; a file of that name is replaced.
+    replace_source, accept_truncated : bool
+        See `save_patched`.
+    progress : Progress
+        Called often; may cancel until the file is written.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written, or if a proof fails. Then no file is left.
+    """
+    saved = save_patched(
+        source,
+        runs,
+        out,
+        replace_source=replace_source,
+        accept_truncated=accept_truncated,
+        progress=progress,
+    )
+    if replace_source:
+        return Exported(saved, ORIGINAL_GONE, None)
+    try:
+        second_reader = confirm_with_c3d(source.path, out, source, runs)
+        check = check_files(source.path, out)
+        if not check.passed:
+            raise MocapmendError(
+                f"The written file is wrong and was removed: {check.other_differences[0]}",
+                str(out),
+                "Please report this.",
+            )
+    except BaseException:
+        out.unlink(missing_ok=True)
+        raise
+    return Exported(saved, second_reader, check)
+
+
+def write_report(
+    before: Recording,
+    after: Recording,
+    skeleton: Skeleton,
+    repairs: Sequence[report.RepairRow],
+    unfilled: Sequence[Unfilled],
+    about: report.About,
+    path: Path,
+    progress: Progress,
+) -> None:
+    """Write the HTML report of a recording before and after its repairs.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written.
+    """
+    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
+    report.write_html(summary, about, path)

@@ -1,0 +1,144 @@
+"""What a report holds."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.metrics import SuccessCurves
+
+
+@dataclass(frozen=True)
+class RepairRow:
+    """One filled gap.
+
+    Attributes
+    ----------
+    gap : Gap
+        Which.
+    method : str
+        Method id.
+    expected_error_mm : float
+        Expected 3-D RMS error; NaN where unknown.
+    r90_mm : float
+        Median over the gap of the radius that should hold the true position with probability
+        0.9; NaN where unknown.
+    donors : tuple of str
+        Labels of the markers that the repair was computed from.
+    """
+
+    gap: Gap
+    method: str
+    expected_error_mm: float = float("nan")
+    r90_mm: float = float("nan")
+    donors: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, patch: Patch, method: str, recording: Recording) -> "RepairRow":
+        """Describe a patch of a recording."""
+        known = patch.r90[~np.isnan(patch.r90)]
+        r90 = float(np.median(known)) if known.size else float("nan")
+        return cls(patch.gap, method, patch.expected_error * recording.mm, r90 * recording.mm)
+
+
+@dataclass(frozen=True)
+class OpenGap:
+    """A gap that is still there, and why."""
+
+    gap: Gap
+    reason: str
+
+
+@dataclass(frozen=True)
+class MarkerRow:
+    """What happened to one marker.
+
+    Attributes
+    ----------
+    label : str
+        As the file has it.
+    missing_before, missing_after : float
+        Share of the frames in which it is missing, in %.
+    gaps_before, gaps_after : int
+        Number of gaps.
+    longest_before, longest_after : int
+        Length of the longest gap in frames, 0 without gaps.
+    filled : int
+        Samples that were missing and are there now.
+    filled_by : tuple of (str, float)
+        Method ids, and the share of the frames that each filled, in %.
+    worst_error_mm : float
+        Largest expected error among its repairs; NaN where unknown.
+    """
+
+    label: str
+    missing_before: float
+    missing_after: float
+    gaps_before: int
+    gaps_after: int
+    longest_before: int
+    longest_after: int
+    filled: int
+    filled_by: tuple[tuple[str, float], ...]
+    worst_error_mm: float
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """A recording before and after its repairs.
+
+    Attributes
+    ----------
+    rate : float
+        Frames per second (Hz).
+    first_frame, frames : int
+        Number of the first frame as the file counts it, and how many there are.
+    unit : str
+        Length unit of the bones.
+    success_before, success_after : SuccessCurves
+        Tracking success over time; both count the markers that are seen at all in either.
+    bones : tuple of (int, int)
+        Marker pairs.
+    bone_names : tuple of str
+        The labels of their ends.
+    spread_before, spread_after : ndarray, shape (bones,)
+        Coefficient of variation of their lengths in %; NaN where unknown.
+    bone_repairs : ndarray of int, shape (bones,)
+        Frames in which an end of the bone was changed and the other end is there.
+    shown_bones : tuple of int
+        The bones most affected by the repairs, at most 6, as indices into `bones`.
+    lengths_before, lengths_after : ndarray, shape (frames, shown bones)
+        Their lengths, NaN where an end is missing.
+    changed : ndarray of bool, shape (frames, shown bones)
+        Where an end of them was changed and the other end is there.
+    markers : tuple of MarkerRow
+        One per marker.
+    labels : tuple of str
+        Of the markers.
+    repairs : tuple of RepairRow
+        The filled gaps.
+    open_gaps : tuple of OpenGap
+        All gaps that are still there.
+    """
+
+    rate: float
+    first_frame: int
+    frames: int
+    unit: str
+    success_before: SuccessCurves
+    success_after: SuccessCurves
+    bones: tuple[tuple[int, int], ...]
+    bone_names: tuple[str, ...]
+    spread_before: FloatArray
+    spread_after: FloatArray
+    bone_repairs: IntArray
+    shown_bones: tuple[int, ...]
+    lengths_before: FloatArray
+    lengths_after: FloatArray
+    changed: BoolArray
+    markers: tuple[MarkerRow, ...]
+    labels: tuple[str, ...]
+    repairs: tuple[RepairRow, ...]
+    open_gaps: tuple[OpenGap, ...]

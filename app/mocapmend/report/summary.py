@@ -1,0 +1,185 @@
+"""The figures of the report, fast enough to be computed after every edit."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
+from mocapmend_algorithms import Progress, Recording, find_gaps
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.contract import Unfilled
+from mocapmend_algorithms.metrics import (
+    bone_lengths,
+    success_curves,
+    tracked,
+)
+from mocapmend_algorithms.skeleton import Skeleton
+
+MOST_CURVES = 6
+CHUNK = 256
+"""Frames measured at a time: what fits into the processor's cache is several times as fast."""
+NOT_ASKED = "no repair was asked for"
+
+
+def curves(before: Recording, after: Recording, skeleton: Skeleton, progress: Progress) -> Report:
+    """Compute the report of two recordings of which only the samples are known."""
+    return summarise(before, after, skeleton, (), (), progress)
+
+
+def summarise(
+    before: Recording,
+    after: Recording,
+    skeleton: Skeleton,
+    repairs: Sequence[RepairRow],
+    unfilled: Sequence[Unfilled],
+    progress: Progress,
+) -> Report:
+    """Compare a recording with its repaired form.
+
+    Parameters
+    ----------
+    before, after : Recording
+        Of equal shape.
+    skeleton : Skeleton
+        The bones to measure.
+    repairs : sequence of RepairRow
+        How gaps were filled.
+    unfilled : sequence of Unfilled
+        Why gaps were left open. Gaps that are open and not among them are listed too.
+    progress : Progress
+        Called often.
+
+    Returns
+    -------
+    Report
+    """
+    counted = np.logical_or.reduce(before.present | after.present, axis=0)
+    touched = _changed_samples(before, after)
+    progress(0.2)
+    bones = np.array(skeleton.bones, dtype=np.int64).reshape(-1, 2)
+    spread_before = _spread(before, bones)
+    progress(0.6)
+    # A repaired end says nothing about a bone whose other end is missing.
+    seen = _either(touched, bones) & ~_either(~after.present, bones)
+    repaired = np.count_nonzero(seen, axis=0)
+    moved = np.flatnonzero(np.logical_or.reduce(_either(touched, bones), axis=0))
+    spread_after = spread_before.copy()
+    spread_after[moved] = _spread(after, bones[moved])
+    shown = np.argsort(-repaired, kind="stable")[: min(MOST_CURVES, np.count_nonzero(repaired))]
+    progress(0.9)
+    report = Report(
+        rate=before.rate,
+        first_frame=before.first_frame,
+        frames=before.frames,
+        unit=before.unit,
+        success_before=success_curves(tracked(before), counted=counted),
+        success_after=success_curves(tracked(after), counted=counted),
+        bones=tuple(skeleton.bones),
+        bone_names=tuple(f"{before.labels[a]} – {before.labels[b]}" for a, b in skeleton.bones),
+        spread_before=spread_before,
+        spread_after=spread_after,
+        bone_repairs=repaired,
+        shown_bones=tuple(shown.tolist()),
+        lengths_before=bone_lengths(before.points, bones[shown]),
+        lengths_after=bone_lengths(after.points, bones[shown]),
+        changed=seen[:, shown],
+        markers=tuple(_marker_rows(before, after, repairs)),
+        labels=before.labels,
+        repairs=tuple(repairs),
+        open_gaps=_open_gaps(after, unfilled),
+    )
+    progress(1.0)
+    return report
+
+
+def _chunks(frames: int) -> Iterator[slice]:
+    return (slice(start, start + CHUNK) for start in range(0, frames, CHUNK))
+
+
+def _changed_samples(before: Recording, after: Recording) -> BoolArray:
+    """Say which samples differ in any bit, shape (frames, markers)."""
+    changed = np.zeros(before.present.shape, dtype=np.bool_)
+    # Compared as integers, because NaN differs from itself.
+    old, new = before.points.view(np.int64), after.points.view(np.int64)
+    for rows in _chunks(before.frames):
+        differs = old[rows] != new[rows]
+        if differs.any():
+            changed[rows] = differs.any(axis=2)
+    return changed
+
+
+def _either(mask: BoolArray, bones: IntArray) -> BoolArray:
+    """Say where either end of a bone is marked, shape (frames, bones)."""
+    return np.asarray(mask[:, bones[:, 0]] | mask[:, bones[:, 1]])
+
+
+def _spread(recording: Recording, bones: IntArray) -> FloatArray:
+    """Compute `bone_spread` in one pass, without an array of all lengths.
+
+    The lengths are taken relative to the first one known, so that squares lose no digits.
+    """
+    count, total, square = np.zeros((3, len(bones)))
+    origin = np.full(len(bones), np.nan)
+    for rows in _chunks(recording.frames if len(bones) else 0):
+        lengths = bone_lengths(recording.points[rows], bones)
+        known = ~np.isnan(lengths)
+        new = np.isnan(origin) & known.any(axis=0)
+        if new.any():
+            at = np.flatnonzero(new)
+            origin[at] = lengths[known[:, at].argmax(axis=0), at]
+        relative = np.where(known, lengths - origin, 0.0)
+        count += np.count_nonzero(known, axis=0)
+        total += relative.sum(axis=0)
+        square += np.einsum("tb,tb->b", relative, relative)
+    measured = count >= 2
+    count = np.maximum(count, 1)
+    mean = origin + total / count
+    variance = np.maximum(square / count - (total / count) ** 2, 0.0)
+    usable = measured & (mean > 0)
+    return np.where(usable, 100 * np.sqrt(variance) / np.where(usable, mean, 1.0), np.nan)
+
+
+def _marker_rows(
+    before: Recording, after: Recording, repairs: Sequence[RepairRow]
+) -> Iterator[MarkerRow]:
+    by_marker: dict[int, list[RepairRow]] = {}
+    for repair in repairs:
+        by_marker.setdefault(repair.gap.marker, []).append(repair)
+    frames = max(before.frames, 1)
+    missing_before = np.count_nonzero(~before.present, axis=0)
+    missing_after = np.count_nonzero(~after.present, axis=0)
+    filled = np.count_nonzero(after.present & ~before.present, axis=0)
+    gaps_before, longest_before = _count_gaps(before)
+    gaps_after, longest_after = _count_gaps(after)
+    for marker, label in enumerate(before.labels):
+        own = by_marker.get(marker, [])
+        lengths: dict[str, int] = {}
+        for repair in own:
+            lengths[repair.method] = lengths.get(repair.method, 0) + repair.gap.length
+        errors = [r.expected_error_mm for r in own if not np.isnan(r.expected_error_mm)]
+        yield MarkerRow(
+            label=label,
+            missing_before=100 * int(missing_before[marker]) / frames,
+            missing_after=100 * int(missing_after[marker]) / frames,
+            gaps_before=gaps_before[marker],
+            gaps_after=gaps_after[marker],
+            longest_before=longest_before[marker],
+            longest_after=longest_after[marker],
+            filled=int(filled[marker]),
+            filled_by=tuple((name, 100 * count / frames) for name, count in lengths.items()),
+            worst_error_mm=max(errors, default=float("nan")),
+        )
+
+
+def _count_gaps(recording: Recording) -> tuple[list[int], list[int]]:
+    """Return the number of gaps and the length of the longest, per marker."""
+    counts, longest = [0] * recording.markers, [0] * recording.markers
+    for gap in find_gaps(recording.present):
+        counts[gap.marker] += 1
+        longest[gap.marker] = max(longest[gap.marker], gap.length)
+    return counts, longest
+
+
+def _open_gaps(after: Recording, unfilled: Sequence[Unfilled]) -> tuple[OpenGap, ...]:
+    reasons = {entry.gap: entry.reason for entry in unfilled}
+    return tuple(OpenGap(gap, reasons.get(gap, NOT_ASKED)) for gap in find_gaps(after.present))
