@@ -12,7 +12,7 @@ import libraries
 from environment import Environment
 from steps import ROOT, SetupError, step
 
-SAMPLE = ROOT / "resources" / "mocapmend_resources" / "samples" / "gait_plug_in_gait.c3d"
+SAMPLE = ROOT / "resources" / "mocapmend_resources" / "samples" / "sprint_basketball.c3d"
 HEADLESS = ROOT / "build" / "headless"
 HELP = """\
 python3 packaging/dev.py run [FILE ...]       open the window, by default on a bundled recording

@@ -95,8 +95,8 @@ class TestTasks:
         log = self.program(dev, monkeypatch, tmp_path, fails="")
         monkeypatch.setattr(dev.libraries, "has_display", lambda: False)
         assert dev.tasks.main(["run"]) == 0
-        repaired = tmp_path / "out" / "gait_plug_in_gait_repaired.c3d"
-        report = tmp_path / "out" / "gait_plug_in_gait_report.html"
+        repaired = tmp_path / "out" / "sprint_basketball_repaired.c3d"
+        report = tmp_path / "out" / "sprint_basketball_report.html"
         assert log.read_text().splitlines() == [
             f"repair|{dev.tasks.SAMPLE}|-o|{repaired}|--report|{report}",
             f"check|{dev.tasks.SAMPLE}|{repaired}",

@@ -1,0 +1,209 @@
+"""The one table of actions and shortcuts: it makes menus, toolbar and the shortcut help."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtGui import QAction, QKeySequence
+
+from mocapmend.translate import QT_TRANSLATE_NOOP
+
+Menu = Literal["File", "Edit", "Gaps", "Play", "View", "Help"]
+MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Play", "View", "Help")
+
+
+@dataclass(frozen=True)
+class ActionSpec:
+    """An action: its name in the code, its place, what the user reads and presses.
+
+    Attributes
+    ----------
+    id : str
+        Name in the code.
+    menu : str
+        The menu that holds it.
+    text : str
+        What the user reads.
+    keys : tuple
+        Shortcuts: standard keys, so that each platform has its own, or texts.
+    needs : str
+        "nothing", "document" (any open file), or "markers" (a file that has some).
+    checkable : bool
+        Whether it switches something on and off.
+    starts_group : bool
+        Whether the menu draws a line above it.
+    """
+
+    id: str
+    menu: Menu
+    text: str
+    keys: tuple[str | QKeySequence.StandardKey, ...] = ()
+    needs: Literal["nothing", "document", "markers"] = "markers"
+    checkable: bool = False
+    starts_group: bool = False
+
+
+_Key = QKeySequence.StandardKey
+
+ACTIONS: tuple[ActionSpec, ...] = (
+    ActionSpec("open", "File", QT_TRANSLATE_NOOP("Actions", "Open…"), (_Key.Open,), "nothing"),
+    ActionSpec(
+        "export",
+        "File",
+        QT_TRANSLATE_NOOP("Actions", "Export repaired C3D…"),
+        (_Key.Save,),
+        "document",
+    ),
+    ActionSpec("save_report", "File", QT_TRANSLATE_NOOP("Actions", "Save report…"), ("Ctrl+R",)),
+    ActionSpec(
+        "close", "File", QT_TRANSLATE_NOOP("Actions", "Close file"), (_Key.Close,), "document"
+    ),
+    ActionSpec(
+        "quit",
+        "File",
+        QT_TRANSLATE_NOOP("Actions", "Quit"),
+        (_Key.Quit, "Ctrl+Q"),
+        "nothing",
+        starts_group=True,
+    ),
+    ActionSpec("undo", "Edit", QT_TRANSLATE_NOOP("Actions", "Undo"), (_Key.Undo,), "document"),
+    ActionSpec(
+        "redo",
+        "Edit",
+        QT_TRANSLATE_NOOP("Actions", "Redo"),
+        (_Key.Redo, "Ctrl+Shift+Z", "Ctrl+Y"),
+        "document",
+    ),
+    ActionSpec("next_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Next gap"), ("N",)),
+    ActionSpec("previous_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous gap"), ("P",)),
+    ActionSpec(
+        "next_gap_here",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Next gap of this marker"),
+        ("Shift+N",),
+    ),
+    ActionSpec(
+        "previous_gap_here",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Previous gap of this marker"),
+        ("Shift+P",),
+    ),
+    ActionSpec(
+        "next_method",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Next method"),
+        ("M",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "previous_method", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous method"), ("Shift+M",)
+    ),
+    ActionSpec(
+        "apply",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Apply the previewed repair"),
+        ("Return", "Enter"),
+    ),
+    ActionSpec(
+        "fill_all",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Fill all gaps up to the limit"),
+        ("Ctrl+Return",),
+    ),
+    ActionSpec(
+        "clear_fill",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Turn this repair back into a gap"),
+        ("Del",),
+    ),
+    ActionSpec("play", "Play", QT_TRANSLATE_NOOP("Actions", "Play / pause"), ("Space",)),
+    ActionSpec("next_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Next frame"), ("Right",)),
+    ActionSpec("previous_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Previous frame"), ("Left",)),
+    ActionSpec(
+        "forward", "Play", QT_TRANSLATE_NOOP("Actions", "One second forward"), ("Shift+Right",)
+    ),
+    ActionSpec("back", "Play", QT_TRANSLATE_NOOP("Actions", "One second back"), ("Shift+Left",)),
+    ActionSpec("first_frame", "Play", QT_TRANSLATE_NOOP("Actions", "First frame"), ("Home",)),
+    ActionSpec("last_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Last frame"), ("End",)),
+    ActionSpec("faster", "Play", QT_TRANSLATE_NOOP("Actions", "Faster"), ("]",), starts_group=True),
+    ActionSpec("slower", "Play", QT_TRANSLATE_NOOP("Actions", "Slower"), ("[",)),
+    ActionSpec("view_front", "View", QT_TRANSLATE_NOOP("Actions", "Front view"), ("1",)),
+    ActionSpec("view_back", "View", QT_TRANSLATE_NOOP("Actions", "Back view"), ("2",)),
+    ActionSpec("view_left", "View", QT_TRANSLATE_NOOP("Actions", "Left view"), ("3",)),
+    ActionSpec("view_right", "View", QT_TRANSLATE_NOOP("Actions", "Right view"), ("4",)),
+    ActionSpec("view_top", "View", QT_TRANSLATE_NOOP("Actions", "Top view"), ("5",)),
+    ActionSpec("view_oblique", "View", QT_TRANSLATE_NOOP("Actions", "Oblique view"), ("6",)),
+    ActionSpec(
+        "follow", "View", QT_TRANSLATE_NOOP("Actions", "Follow the body"), ("F",), checkable=True
+    ),
+    ActionSpec(
+        "labels", "View", QT_TRANSLATE_NOOP("Actions", "Marker labels"), ("L",), checkable=True
+    ),
+    ActionSpec(
+        "trails",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Trail of the selection"),
+        ("T",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "separate",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "One set of plots per marker"),
+        ("S",),
+        checkable=True,
+        starts_group=True,
+    ),
+    ActionSpec(
+        "zoom_in", "View", QT_TRANSLATE_NOOP("Actions", "Zoom in on the time axis"), ("+", "=")
+    ),
+    ActionSpec(
+        "zoom_out", "View", QT_TRANSLATE_NOOP("Actions", "Zoom out on the time axis"), ("-",)
+    ),
+    ActionSpec("zoom_all", "View", QT_TRANSLATE_NOOP("Actions", "Whole recording"), ("0",)),
+    ActionSpec(
+        "theme",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Light theme"),
+        (),
+        "nothing",
+        checkable=True,
+        starts_group=True,
+    ),
+    ActionSpec(
+        "shortcuts",
+        "Help",
+        QT_TRANSLATE_NOOP("Actions", "Keyboard shortcuts"),
+        ("?", "F1"),
+        "nothing",
+    ),
+    ActionSpec("log", "Help", QT_TRANSLATE_NOOP("Actions", "Show the log file"), (), "nothing"),
+    ActionSpec("about", "Help", QT_TRANSLATE_NOOP("Actions", "About mocapmend"), (), "nothing"),
+)
+
+
+def text_of(spec: ActionSpec) -> str:
+    """Return what the user reads, in the user's language."""
+    return QCoreApplication.translate("Actions", spec.text)
+
+
+def make_actions(parent: QObject) -> Mapping[str, QAction]:
+    """Make the QAction of every entry of the table."""
+    made = {}
+    for spec in ACTIONS:
+        action = QAction(text_of(spec), parent)
+        action.setObjectName(spec.id)
+        action.setShortcuts([QKeySequence(key) for key in spec.keys])
+        action.setCheckable(spec.checkable)
+        keys = ", ".join(key_texts(action))
+        action.setToolTip(f"{text_of(spec)} ({keys})" if keys else text_of(spec))
+        made[spec.id] = action
+    return made
+
+
+def key_texts(action: QAction) -> list[str]:
+    """Return an action's shortcuts as this platform writes them."""
+    native = QKeySequence.SequenceFormat.NativeText
+    texts = (keys.toString(native) for keys in action.shortcuts() if not keys.isEmpty())
+    return list(dict.fromkeys(texts))

@@ -1,0 +1,75 @@
+"""A benchmark's result: rows with a figure, what it is held against, and their ratio."""
+
+import os
+import platform
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Row:
+    """One figure.
+
+    Attributes
+    ----------
+    what : str
+        What was measured.
+    figure : float
+        Median over the runs.
+    unit : str
+        Of `figure`.
+    against : str
+        The peer or limit that it is held against.
+    ratio : float or None
+        Median of the run-by-run ratios to the peer, or the ratio to the limit.
+    target : str
+        What the ratio should be, such as "<= 3".
+    """
+
+    what: str
+    figure: float
+    unit: str
+    against: str = ""
+    ratio: float | None = None
+    target: str = ""
+
+
+@dataclass
+class Table:
+    """The rows of a benchmark and the machine that they were measured on."""
+
+    title: str
+    rows: list[Row] = field(default_factory=list)
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the table for a JSON document."""
+        return {
+            "title": self.title,
+            "machine": machine(),
+            "rows": [asdict(row) for row in self.rows],
+        }
+
+    def as_markdown(self) -> str:
+        """Return the table as the documentation has it."""
+        lines = [
+            f"{self.title}  ",
+            f"{machine()}",
+            "",
+            "| what | median | against | ratio | target |",
+            "|---|---|---|---|---|",
+        ]
+        for row in self.rows:
+            ratio = "" if row.ratio is None else f"{row.ratio:.2f}"
+            figure = f"{row.figure:.3g} {row.unit}"
+            lines.append(f"| {row.what} | {figure} | {row.against} | {ratio} | {row.target} |")
+        return "\n".join(lines) + "\n"
+
+
+def machine() -> str:
+    """Return what the figures depend on, in a line."""
+    return (
+        f"{os.cpu_count()} cores, {platform.machine()}, {platform.system()}, "
+        f"Python {platform.python_version()}, numpy {np.__version__}"
+    )

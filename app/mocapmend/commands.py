@@ -1,0 +1,35 @@
+"""Undo commands: they hold the runs before and after, never a copy of the whole."""
+
+from collections.abc import Sequence
+
+from PySide6.QtGui import QUndoCommand
+
+from mocapmend.document import Document, Edit
+
+
+class EditSamples(QUndoCommand):
+    """One undoable step that writes any number of runs.
+
+    Parameters
+    ----------
+    document : Document
+        Whose samples are written.
+    edits : sequence of Edit
+        What the runs shall hold.
+    text : str
+        What the user reads in the menu and in the history.
+    """
+
+    def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
+        super().__init__(text)
+        self._document = document
+        self._after = tuple(edits)
+        self._before = tuple(document.read(edit.gap) for edit in edits)
+
+    def redo(self) -> None:
+        """Write the new runs."""
+        self._document.apply(self._after)
+
+    def undo(self) -> None:
+        """Write the old runs back."""
+        self._document.apply(reversed(self._before))

@@ -1,0 +1,200 @@
+"""The open recording: the only owner and the only writer of its samples."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoStack
+
+from mocapmend.files import C3DFile, SampleRun
+from mocapmend.report import RepairRow
+from mocapmend.shared_recording import SharedRecording
+from mocapmend.state import SampleState
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.skeleton import Skeleton
+
+
+@dataclass(frozen=True)
+class Repair:
+    """How a gap was filled.
+
+    Attributes
+    ----------
+    method : str
+        Method id.
+    params : object
+        The method's parameter dataclass.
+    patch : Patch
+        What was put into the gap, with its expected error.
+    """
+
+    method: str
+    params: Any
+    patch: Patch
+
+
+@dataclass(frozen=True, eq=False)
+class Edit:
+    """The samples that a run of one marker shall have (or had).
+
+    Attributes
+    ----------
+    gap : Gap
+        The run.
+    values : ndarray, shape (length, 3)
+        Coordinates, NaN where missing.
+    states : ndarray of uint8, shape (length,)
+        `SampleState` values.
+    repair : Repair or None
+        Set when the run is the fill of a gap.
+    """
+
+    gap: Gap
+    values: NDArray[np.float64]
+    states: NDArray[np.uint8]
+    repair: Repair | None = None
+
+    @classmethod
+    def fill(cls, patch: Patch, method: str, params: object) -> "Edit":
+        """Make the edit that puts a method's patch in its gap."""
+        states = np.full(patch.gap.length, SampleState.FILLED, np.uint8)
+        return cls(patch.gap, patch.values, states, Repair(method, params, patch))
+
+    @classmethod
+    def clear(cls, gap: Gap) -> "Edit":
+        """Make the edit that marks a run as missing."""
+        states = np.full(gap.length, SampleState.MISSING, np.uint8)
+        return cls(gap, np.full((gap.length, 3), np.nan), states)
+
+
+class Document(QObject):
+    """A recording that is being repaired.
+
+    Samples change only through `apply`, which undo commands call; every change raises `revision`
+    and is announced by `samples_changed` with the tuple of changed runs.
+    """
+
+    samples_changed = Signal(tuple)
+
+    def __init__(self, source: C3DFile, skeleton: Skeleton, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.source = source
+        self.skeleton = skeleton
+        self.undo_stack = QUndoStack(self)
+        self.revision = 0
+        self.repairs: dict[Gap, Repair] = {}
+        self._points = source.recording.points.copy()
+        missing = ~source.recording.present
+        self._state = np.where(missing, SampleState.MISSING, SampleState.MEASURED).astype(np.uint8)
+        self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
+        self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
+        self._shared: SharedRecording | None = None
+        self._shared_original: SharedRecording | None = None
+
+    @property
+    def original(self) -> Recording:
+        """The recording as the file has it."""
+        return self.source.recording
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Current coordinates, shape (frames, markers, 3); a read-only view that edits change."""
+        view = self._points.view()
+        view.flags.writeable = False
+        return view
+
+    @property
+    def state(self) -> NDArray[np.uint8]:
+        """Current `SampleState` of every sample, shape (frames, markers); a read-only view."""
+        view = self._state.view()
+        view.flags.writeable = False
+        return view
+
+    @property
+    def gaps(self) -> list[Gap]:
+        """The gaps that are open now, by marker and start."""
+        return [gap for of_marker in self._gaps for gap in of_marker]
+
+    def gaps_of(self, marker: int) -> list[Gap]:
+        """Return the open gaps of one marker, by start."""
+        return self._gaps[marker]
+
+    def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
+        """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
+        return self._runs[marker][state]
+
+    def snapshot(self) -> Recording:
+        """Return the current samples as a recording of its own."""
+        return self.original.with_points(self._points.copy())
+
+    def share(self) -> SharedRecording:
+        """Return the current samples for a background job; one copy serves all of a revision."""
+        if self._shared is None or self._shared.revision != self.revision:
+            current = self.original.with_points(self.points)
+            self._shared = SharedRecording(current, self.revision)
+        return self._shared
+
+    def share_original(self) -> SharedRecording:
+        """Return the samples as the file has them for a background job."""
+        if self._shared_original is None:
+            self._shared_original = SharedRecording(self.original, 0)
+        return self._shared_original
+
+    def read(self, gap: Gap) -> Edit:
+        """Return what a run holds now, as the edit that would restore it."""
+        rows = slice(gap.start, gap.stop)
+        return Edit(
+            gap,
+            self._points[rows, gap.marker].copy(),
+            self._state[rows, gap.marker].copy(),
+            self.repairs.get(gap),
+        )
+
+    def apply(self, edits: Iterable[Edit]) -> None:
+        """Write runs of samples. For undo commands alone."""
+        changed = []
+        for edit in edits:
+            rows = slice(edit.gap.start, edit.gap.stop)
+            self._points[rows, edit.gap.marker] = edit.values
+            self._state[rows, edit.gap.marker] = edit.states
+            if edit.repair is None:
+                self.repairs.pop(edit.gap, None)
+            else:
+                self.repairs[edit.gap] = edit.repair
+            changed.append(edit.gap)
+        for marker in {gap.marker for gap in changed}:
+            self._runs[marker] = self._find_runs(marker)
+            self._gaps[marker] = self._find_gaps(marker)
+        self.revision += 1
+        self.samples_changed.emit(tuple(changed))
+
+    def changed_runs(self) -> list[SampleRun]:
+        """Return the samples that differ from the file, for saving."""
+        return [
+            SampleRun(marker, start, self._points[start:stop, marker].copy())
+            for marker in sorted({gap.marker for gap in self.repairs})
+            for start, stop in self._runs[marker][SampleState.FILLED].tolist()
+        ]
+
+    def repair_rows(self) -> list[RepairRow]:
+        """Return what was repaired and how well, for reports."""
+        return [
+            RepairRow.of(repair.patch, repair.method, self.original)
+            for _, repair in sorted(self.repairs.items())
+        ]
+
+    def _find_runs(self, marker: int) -> dict[SampleState, NDArray[np.int64]]:
+        states = self._state[:, marker]
+        changes = np.flatnonzero(states[1:] != states[:-1]) + 1
+        starts = np.concatenate(([0], changes))[: len(states)]
+        spans = np.stack((starts, np.append(changes, len(states))[: len(starts)]), axis=1)
+        kinds = states[starts]
+        return {state: spans[kinds == state] for state in SampleState}
+
+    def _find_gaps(self, marker: int) -> list[Gap]:
+        missing = self._runs[marker][SampleState.MISSING].tolist()
+        return [Gap(marker, start, stop) for start, stop in missing]

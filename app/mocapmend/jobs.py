@@ -1,0 +1,208 @@
+"""Work in the background: pure functions on snapshots, with progress and cancel.
+
+Computation runs in a spawned process, because scipy holds the interpreter for up to seconds;
+reading and writing files runs in a thread.
+"""
+
+import multiprocessing
+from collections.abc import Callable
+from concurrent.futures import (
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from mocapmend.errors import MocapmendError
+from mocapmend.shared_recording import start_tracker
+from mocapmend_algorithms import Cancelled
+
+SLOTS = 32
+POLL_MS = 30
+
+_board: "Board | None" = None
+
+
+class Board:
+    """Progress and cancel flags of running jobs, shared with the workers."""
+
+    def __init__(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.progress = context.Array("d", SLOTS, lock=False)
+        self.cancel = context.Array("b", SLOTS, lock=False)
+
+    def reporter(self, slot: int) -> Callable[[float], None]:
+        """Return the progress function of the job in a slot."""
+
+        def progress(fraction: float) -> None:
+            self.progress[slot] = fraction
+            if self.cancel[slot]:
+                raise Cancelled
+
+        return progress
+
+
+def _adopt(board: Board) -> None:
+    """Give a new worker process the flags."""
+    global _board  # noqa: PLW0603 - the one thing that a pool's initializer can do
+    _board = board
+
+
+def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    assert _board is not None
+    return function(*args, _board.reporter(slot))
+
+
+class Job(QObject):
+    """One piece of work; ends with exactly one of finished, failed and cancelled."""
+
+    progressed = Signal(float)
+    finished = Signal(object)
+    failed = Signal(object)
+    cancelled = Signal()
+    ended = Signal()
+    _settled = Signal()
+
+    def __init__(self, title: str, board: Board, slot: int, parent: QObject) -> None:
+        super().__init__(parent)
+        self.title = title
+        self.slot = slot
+        self._board = board
+        self._future: Future[Any] | None = None
+        self._held: tuple[Any, ...] = ()
+        # Queued: a future settles on a thread of its pool, or before the caller could connect.
+        self._settled.connect(self._conclude, Qt.ConnectionType.QueuedConnection)
+
+    def follow(self, future: Future[Any], held: tuple[Any, ...]) -> None:
+        """Report the end of a future; keep its arguments alive until then."""
+        self._future = future
+        self._held = held
+        future.add_done_callback(lambda _: self._settled.emit())
+
+    def cancel(self) -> None:
+        """Ask the job to stop; `cancelled` follows unless it was just finishing."""
+        self._board.cancel[self.slot] = 1
+        if self._future is not None:
+            self._future.cancel()
+
+    def poll(self) -> None:
+        """Pass the worker's progress on."""
+        self.progressed.emit(self._board.progress[self.slot])
+
+    def _conclude(self) -> None:
+        assert self._future is not None
+        asked_to_stop = bool(self._board.cancel[self.slot])
+        self._held = ()
+        try:
+            result = self._future.result()
+        except (Cancelled, CancelledError):
+            self.cancelled.emit()
+        except BrokenProcessPool:
+            self.failed.emit(
+                MocapmendError("The background worker stopped unexpectedly.", self.title, "Retry.")
+            )
+        except Exception as error:  # noqa: BLE001 - the end of the thread: whatever it is, show it
+            self.failed.emit(error)
+        else:
+            if asked_to_stop:
+                self.cancelled.emit()
+            else:
+                self.finished.emit(result)
+        self.ended.emit()
+
+
+class Jobs(QObject):
+    """Starts jobs and knows which are running."""
+
+    started = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        start_tracker()
+        self._board = Board()
+        self._free = list(range(SLOTS))
+        self._running: dict[int, Job] = {}
+        self._threads = ThreadPoolExecutor(max_workers=2, thread_name_prefix="mocapmend")
+        self._processes: ProcessPoolExecutor | None = None
+        self._timer = QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self._poll)
+
+    @property
+    def running(self) -> int:
+        """Number of jobs that have not ended."""
+        return len(self._running)
+
+    def compute(self, title: str, function: Callable[..., Any], *args: object) -> Job:
+        """Run `function(*args, progress)` in the worker process; it must be importable there."""
+        job = self._new_job(title)
+        pool = self._pool()
+        try:
+            future = pool.submit(_call_in_process, job.slot, function, args)
+        except BrokenProcessPool:
+            self._processes = None
+            future = self._pool().submit(_call_in_process, job.slot, function, args)
+        job.follow(future, args)
+        return job
+
+    def read_or_write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
+        """Run `function(*args, progress)` in a thread: for files, which wait more than compute."""
+        job = self._new_job(title)
+        job.follow(self._threads.submit(function, *args, self._board.reporter(job.slot)), args)
+        return job
+
+    def warm_up(self) -> None:
+        """Start the worker process before it is first needed."""
+        self._pool().submit(int)
+
+    def shut_down(self) -> None:
+        """Cancel everything and wait for the workers to end."""
+        for job in self._running.values():
+            job.cancel()
+        executors: list[Executor] = [self._threads]
+        if self._processes is not None:
+            executors.append(self._processes)
+        for executor in executors:
+            executor.shutdown(wait=True, cancel_futures=True)
+        self._timer.stop()
+
+    def _pool(self) -> ProcessPoolExecutor:
+        if self._processes is None:
+            self._processes = ProcessPoolExecutor(
+                max_workers=1,
+                mp_context=multiprocessing.get_context("spawn"),
+                initializer=_adopt,
+                initargs=(self._board,),
+            )
+        return self._processes
+
+    def _new_job(self, title: str) -> Job:
+        if not self._free:
+            raise MocapmendError(
+                "Too many jobs are running at once.", title, "Wait for one to end."
+            )
+        slot = self._free.pop()
+        self._board.progress[slot] = 0.0
+        self._board.cancel[slot] = 0
+        job = Job(title, self._board, slot, self)
+        job.ended.connect(lambda: self._retire(job))
+        self._running[slot] = job
+        self._timer.start()
+        self.started.emit(job)
+        return job
+
+    def _retire(self, job: Job) -> None:
+        del self._running[job.slot]
+        self._free.append(job.slot)
+        job.deleteLater()
+        if not self._running:
+            self._timer.stop()
+
+    def _poll(self) -> None:
+        for job in list(self._running.values()):
+            job.poll()

@@ -1,0 +1,38 @@
+"""From gap to gap, in the order of time. No Qt."""
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable
+
+from mocapmend_algorithms import Gap
+
+
+def in_time_order(gaps: Iterable[Gap], frames: int) -> list[Gap]:
+    """Return the gaps by start, then marker; markers that are never seen have no place in it."""
+    seen = (gap for gap in gaps if gap.length < frames)
+    return sorted(seen, key=lambda gap: (gap.start, gap.marker))
+
+
+def neighbour(ordered: list[Gap], start: int, marker: int, step: int) -> Gap | None:
+    """Return the next (step 1) or previous (step -1) gap from a place, around the end if need be.
+
+    Parameters
+    ----------
+    ordered : list of Gap
+        As `in_time_order` returns them.
+    start, marker : int
+        The place: start and marker of the present gap, or the playhead's frame and marker -1.
+    step : int
+        1 or -1.
+
+    Returns
+    -------
+    Gap or None
+        None when there is no gap at all.
+    """
+    if not ordered:
+        return None
+    keys = [(gap.start, gap.marker) for gap in ordered]
+    place = (start, marker)
+    if step > 0:
+        return ordered[bisect_right(keys, place) % len(ordered)]
+    return ordered[bisect_left(keys, place) - 1]

@@ -1,0 +1,67 @@
+"""What the program remembers between runs: one table, typed reads, nothing pickled."""
+
+import json
+from dataclasses import dataclass
+from typing import Generic, TypeVar, cast
+
+from PySide6.QtCore import QByteArray, QSettings
+
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True)
+class Setting(Generic[Value]):
+    """A remembered value: its key and what holds before the user has chosen."""
+
+    key: str
+    default: Value
+
+
+THEME = Setting("window/theme", "dark")
+GEOMETRY = Setting("window/geometry", b"")
+LAYOUT = Setting("window/layout", b"")
+RECENT_FILES = Setting[list[str]]("files/recent", [])
+LAST_FOLDER = Setting("files/last_folder", "")
+METHOD = Setting("repair/method", "cubic")
+MAX_GAP_MS = Setting("repair/max_gap_ms", 200.0)
+LIMIT_ERROR = Setting(key="repair/limit_error", default=True)
+MAX_ERROR_MM = Setting("repair/max_error_mm", 20.0)
+
+RECENT_LIMIT = 10
+
+
+class Settings:
+    """Reads and writes the table's values; what cannot be read counts as not chosen yet."""
+
+    def __init__(self, store: QSettings | None = None) -> None:
+        self._store = store if store is not None else QSettings()
+
+    def get(self, setting: Setting[Value]) -> Value:
+        """Return the remembered value, or the default."""
+        value = _decode(self._store.value(setting.key), setting.default)
+        return cast("Value", setting.default if value is None else value)
+
+    def set(self, setting: Setting[Value], value: Value) -> None:
+        """Remember a value."""
+        raw = QByteArray(value) if isinstance(value, bytes) else json.dumps(value)
+        self._store.setValue(setting.key, raw)
+
+    def remember_file(self, path: str) -> None:
+        """Put a file at the head of the recent files."""
+        recent = [path, *(known for known in self.get(RECENT_FILES) if known != path)]
+        self.set(RECENT_FILES, recent[:RECENT_LIMIT])
+
+
+def _decode(raw: object, default: object) -> object:
+    """Return a stored value of the default's type, or None when it is not one."""
+    if isinstance(default, bytes):
+        return bytes(raw.data()) if isinstance(raw, QByteArray) else None
+    try:
+        value = json.loads(raw) if isinstance(raw, str) else None
+    except ValueError:
+        return None
+    if isinstance(default, float) and type(value) is int:
+        return float(value)
+    if isinstance(value, list) and not all(isinstance(item, str) for item in value):
+        return None
+    return value if type(value) is type(default) else None

@@ -1,0 +1,12 @@
+"""What is known of every sample of a document."""
+
+from enum import IntEnum
+
+
+class SampleState(IntEnum):
+    """The state of one marker in one frame, stored as one byte."""
+
+    MEASURED = 0
+    MISSING = 1
+    BAD = 2
+    FILLED = 3

@@ -1,0 +1,45 @@
+"""Start of the window."""
+
+import logging
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtWidgets import QApplication
+
+from mocapmend import __version__
+from mocapmend.settings import Settings
+from mocapmend.views.main_window import MainWindow
+
+log = logging.getLogger(__name__)
+
+
+def make_application() -> QApplication:
+    """Make the Qt application with the names that its settings are kept under."""
+    QCoreApplication.setOrganizationName("mocapmend")
+    QCoreApplication.setApplicationName("mocapmend")
+    QCoreApplication.setApplicationVersion(__version__)
+    return QApplication(sys.argv[:1])
+
+
+def run(paths: Sequence[Path]) -> int:
+    """Open the window, with a recording if one is named, and return the exit code."""
+    app = make_application()
+    window = MainWindow(Settings())
+
+    def show_unexpected(
+        kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        log.critical("unexpected error", exc_info=(kind, error, trace))
+        if isinstance(error, Exception):
+            window.show_error(error)
+
+    # An exception in a slot does not end the event loop: without this nobody would see it.
+    sys.excepthook = show_unexpected
+    window.show()
+    if paths:
+        window.open_path(paths[0])
+    QTimer.singleShot(0, window.jobs.warm_up)
+    return app.exec()

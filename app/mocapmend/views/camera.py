@@ -1,0 +1,138 @@
+"""Where the 3D view looks from, and what that does to points. No Qt."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend_algorithms.recording import UpAxis
+
+Array = NDArray[np.float64]
+
+FIELD_OF_VIEW = np.radians(35.0)
+NEAR = 0.05  # share of the distance to the target
+
+VIEWS = {
+    "front": (-90.0, 8.0),
+    "back": (90.0, 8.0),
+    "left": (180.0, 8.0),
+    "right": (0.0, 8.0),
+    "top": (-90.0, 89.9),
+    "oblique": (-60.0, 18.0),
+}
+"""Yaw and pitch of the fixed views in degrees; "front" looks along the second ground axis."""
+
+
+def upright(up: UpAxis) -> Array:
+    """Return the rotation, shape (3, 3), that brings a file's up axis to +z."""
+    axis = "xyz".index(up[1])
+    vertical = np.zeros(3)
+    vertical[axis] = 1.0 if up[0] == "+" else -1.0
+    first = np.zeros(3)
+    first[(axis + 1) % 3] = 1.0
+    return np.stack((first, np.cross(vertical, first), vertical))
+
+
+@dataclass
+class Camera:
+    """A perspective camera that circles a target; angles in degrees, lengths in the file's unit."""
+
+    target: Array = field(default_factory=lambda: np.zeros(3))
+    distance: float = 1.0
+    yaw: float = VIEWS["oblique"][0]
+    pitch: float = VIEWS["oblique"][1]
+
+    def look(self, view: str) -> None:
+        """Turn to one of the fixed `VIEWS`."""
+        self.yaw, self.pitch = VIEWS[view]
+
+    def orbit(self, yaw: float, pitch: float) -> None:
+        """Circle the target by angles in degrees."""
+        self.yaw = (self.yaw + yaw + 180.0) % 360.0 - 180.0
+        self.pitch = float(np.clip(self.pitch + pitch, -89.9, 89.9))
+
+    def zoom(self, factor: float) -> None:
+        """Scale the distance to the target."""
+        self.distance = max(self.distance * factor, 1e-6)
+
+    def pan(self, right: float, up: float, height: int) -> None:
+        """Move the target across the picture by pixels of a view of the given height."""
+        per_pixel = 2.0 * self.distance * np.tan(FIELD_OF_VIEW / 2.0) / max(1, height)
+        axes = self._axes()
+        self.target = self.target - (axes[0] * right - axes[1] * up) * per_pixel
+
+    def project(self, points: Array, width: int, height: int) -> tuple[Array, Array]:
+        """Project upright points, shape (n, 3).
+
+        Returns
+        -------
+        pixels : ndarray, shape (n, 2)
+            Picture coordinates, y down; NaN for missing points and those behind the camera.
+        depth : ndarray, shape (n,)
+            Distance along the view in the file's unit.
+        """
+        view = (points - self.target) @ self._axes().T
+        depth = view[:, 2] + self.distance
+        with np.errstate(invalid="ignore"):
+            seen = depth > NEAR * self.distance
+        focal = height / (2.0 * np.tan(FIELD_OF_VIEW / 2.0))
+        scale = np.where(seen, focal / np.where(seen, depth, 1.0), np.nan)
+        pixels = np.empty((len(points), 2))
+        pixels[:, 0] = width / 2.0 + view[:, 0] * scale
+        pixels[:, 1] = height / 2.0 - view[:, 1] * scale
+        return pixels, depth
+
+    def turned(self, direction: Array) -> Array:
+        """Return how far a direction points right, up and into the picture."""
+        return np.asarray(self._axes() @ direction)
+
+    def _axes(self) -> Array:
+        """Return the picture's right, up and into-the-picture directions as rows."""
+        yaw, pitch = np.radians(self.yaw), np.radians(self.pitch)
+        to_camera = np.array(
+            [np.cos(pitch) * np.cos(yaw), np.cos(pitch) * np.sin(yaw), np.sin(pitch)]
+        )
+        right = np.array([-np.sin(yaw), np.cos(yaw), 0.0])
+        return np.stack((right, np.cross(to_camera, right), -to_camera))
+
+
+def body_path(points: Array, rate: float) -> Array:
+    """Return where the body is in each frame: the middle of its extent, smoothed over a second.
+
+    Parameters
+    ----------
+    points : ndarray, shape (frames, markers, 3)
+        NaN where missing.
+    rate : float
+        Frames per second.
+
+    Returns
+    -------
+    ndarray, shape (frames, 3)
+        Finite as long as any sample is.
+    """
+    frames = len(points)
+    step = max(1, round(rate / 10.0))
+    sampled = np.arange(0, frames, step)
+    some = points[sampled]
+    seen = ~np.isnan(some[:, :, 0]).all(axis=1)
+    if not seen.any():
+        return np.zeros((frames, 3))
+    # Not the outermost markers: a ghost far from the body must not move the picture.
+    known = np.nanpercentile(some[seen], (5.0, 95.0), axis=1).mean(axis=0)
+    smooth = np.ones(11) / 11.0
+    path = np.empty((frames, 3))
+    for axis in range(3):
+        # Over frames without any marker first, so that the smoothing sees equal steps.
+        centre = np.interp(sampled, sampled[seen], known[:, axis])
+        centre = np.convolve(np.pad(centre, 5, mode="edge"), smooth, mode="valid")
+        path[:, axis] = np.interp(np.arange(frames), sampled, centre)
+    return path
+
+
+def body_size(points: Array, path: Array) -> float:
+    """Return the radius around the body's path that holds nearly all markers."""
+    step = max(1, len(points) // 200)
+    reach = np.linalg.norm(points[::step] - path[::step, None], axis=2)
+    reach = reach[np.isfinite(reach)]
+    return float(np.percentile(reach, 98.0)) if reach.size else 1.0

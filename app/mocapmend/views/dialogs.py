@@ -1,0 +1,136 @@
+"""Small dialogs: an error, the shortcuts, the gaps that stayed open."""
+
+import platform
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import PySide6
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLabel,
+    QMessageBox,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from mocapmend import __version__
+from mocapmend.actions import ACTIONS, key_texts, text_of
+from mocapmend.errors import MocapmendError
+from mocapmend.log import log_path
+from mocapmend_algorithms import Recording
+from mocapmend_algorithms.fill.contract import Unfilled
+
+translate = QCoreApplication.translate
+
+
+def environment() -> str:
+    """Return the versions that a bug report needs."""
+    return (
+        f"mocapmend {__version__}, Python {platform.python_version()}, "
+        f"PySide6 {PySide6.__version__}, numpy {np.__version__}, {platform.platform()}"
+    )
+
+
+def error_box(parent: QWidget | None, error: Exception) -> QMessageBox:
+    """Make the one dialog that reports an error: a sentence, what to do, and details to copy."""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setWindowTitle("mocapmend")
+    box.setTextFormat(Qt.TextFormat.PlainText)
+    if isinstance(error, MocapmendError):
+        box.setText(error.what)
+        box.setInformativeText("\n".join(part for part in (error.where, error.todo) if part))
+    else:
+        box.setText(
+            translate(
+                "Dialogs", "Something went wrong inside the program. Your recording is unchanged."
+            )
+        )
+        box.setInformativeText(
+            translate("Dialogs", "The log file has the details:") + f"\n{log_path()}"
+        )
+        box.setDetailedText(f"{type(error).__name__}: {error}\n\n{environment()}")
+    return box
+
+
+def shortcuts_dialog(parent: QWidget, actions: Mapping[str, QAction]) -> QDialog:
+    """Make the list of all shortcuts, from the table that also makes the menus."""
+    rows = [
+        (spec.menu, text_of(spec), ", ".join(key_texts(actions[spec.id])))
+        for spec in ACTIONS
+        if spec.keys
+    ]
+    headers = (
+        translate("Dialogs", "Menu"),
+        translate("Dialogs", "Action"),
+        translate("Dialogs", "Keys"),
+    )
+    dialog = _table_dialog(parent, translate("Dialogs", "Keyboard shortcuts"), headers, rows)
+    hint = QLabel(
+        translate(
+            "Dialogs",
+            "3D view: drag to orbit, Shift+drag to move, wheel to zoom, click to pick, "
+            "double-click to centre. Plots and timeline: drag to scrub, wheel to zoom, "
+            "Shift+wheel to move, double-click a gap to go there; Ctrl+click adds a marker.",
+        )
+    )
+    hint.setWordWrap(True)
+    layout = dialog.layout()
+    assert isinstance(layout, QVBoxLayout)
+    layout.insertWidget(1, hint)
+    return dialog
+
+
+def left_open_dialog(
+    parent: QWidget, recording: Recording, unfilled: Sequence[Unfilled]
+) -> QDialog:
+    """Make the list of the gaps that a fill left open, with the reasons."""
+    first = recording.first_frame
+    rows = [
+        (
+            recording.labels[entry.gap.marker],
+            f"{entry.gap.start + first} – {entry.gap.stop - 1 + first}",
+            entry.reason,
+        )
+        for entry in unfilled
+    ]
+    headers = (
+        translate("Dialogs", "Marker"),
+        translate("Dialogs", "Frames"),
+        translate("Dialogs", "Why it stayed open"),
+    )
+    return _table_dialog(parent, translate("Dialogs", "Gaps that stayed open"), headers, rows)
+
+
+def _table_dialog(
+    parent: QWidget, title: str, headers: Sequence[str], rows: Sequence[Sequence[str]]
+) -> QDialog:
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(title)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.resize(720, 520)
+    table = QTableWidget(len(rows), len(headers))
+    table.setHorizontalHeaderLabels(list(headers))
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setShowGrid(False)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
+    for row, texts in enumerate(rows):
+        for column, text in enumerate(texts):
+            table.setItem(row, column, QTableWidgetItem(text))
+    table.resizeColumnsToContents()
+    table.horizontalHeader().setSectionResizeMode(len(headers) - 1, QHeaderView.ResizeMode.Stretch)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.reject)
+    layout = QVBoxLayout(dialog)
+    layout.addWidget(table)
+    layout.addWidget(buttons)
+    return dialog

@@ -1,0 +1,511 @@
+"""The window: menus, files and what the user is asked; the workspace shows the document."""
+
+import logging
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QMimeData, QSize, Qt, QUrl
+from PySide6.QtGui import (
+    QAction,
+    QCloseEvent,
+    QDesktopServices,
+    QDragEnterEvent,
+    QDropEvent,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QLabel,
+    QMainWindow,
+    QMenu,
+    QMessageBox,
+    QStackedWidget,
+)
+
+from mocapmend import __version__, engine, theme
+from mocapmend.actions import ACTIONS, MENUS, make_actions
+from mocapmend.document import Document
+from mocapmend.errors import MocapmendError
+from mocapmend.files import C3DFile
+from mocapmend.jobs import Jobs
+from mocapmend.log import log_path
+from mocapmend.settings import (
+    GEOMETRY,
+    LAST_FOLDER,
+    RECENT_FILES,
+    THEME,
+    Settings,
+)
+from mocapmend.theme import DARK, LIGHT, THEMES, Theme
+from mocapmend.views.dialogs import environment, error_box, shortcuts_dialog
+from mocapmend.views.icons import icon, program_icon
+from mocapmend.views.job_indicator import JobIndicator
+from mocapmend.views.keys import KeyGuard
+from mocapmend.views.notes import NotesBar
+from mocapmend.views.samples import sample_recordings
+from mocapmend.views.transport import Transport
+from mocapmend.views.welcome import Welcome
+from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms.skeleton import Skeleton
+
+log = logging.getLogger(__name__)
+
+ICONS = (
+    "open", "export", "undo", "redo", "previous_gap", "next_gap", "apply", "fill_all",
+    "play", "follow", "labels", "trails",
+)  # fmt: skip
+TOOLBAR = (
+    "open", "export", None, "undo", "redo", None, "previous_gap", "next_gap", "apply", "fill_all",
+    None, "follow", "labels", "trails", None,
+)  # fmt: skip
+MESSAGE_MS = 8000
+
+
+class MainWindow(QMainWindow):
+    """Wires actions to the workspace of the open document."""
+
+    def __init__(self, settings: Settings) -> None:
+        super().__init__()
+        self.settings = settings
+        self.jobs = Jobs(self)
+        self.workspace: Workspace | None = None
+        self.theme: Theme = THEMES.get(settings.get(THEME), DARK)
+        self.actions_by_id = dict(make_actions(self))
+        self._keys = KeyGuard(self)
+        self._loading = False
+        self.setWindowIcon(program_icon())
+        self.setAcceptDrops(True)
+        self.resize(QSize(1280, 800).boundedTo(self.screen().availableSize()))
+        self.welcome = Welcome(sample_recordings())
+        self.welcome.chosen.connect(self.open_path)
+        self.welcome.browse.connect(self.ask_and_open)
+        self.stack = QStackedWidget()
+        self.stack.addWidget(self.welcome)
+        self.setCentralWidget(self.stack)
+        self.notes = NotesBar()
+        self.transport = Transport(self.actions_by_id)
+        self._make_menus()
+        self._make_toolbar()
+        self._make_status_bar()
+        self._connect()
+        self.restoreGeometry(settings.get(GEOMETRY))
+        self.actions_by_id["theme"].setChecked(self.theme is LIGHT)
+        self.actions_by_id["follow"].setChecked(True)
+        self.actions_by_id["trails"].setChecked(True)
+        self._show_theme()
+        self._show_document()
+
+    # --- making ------------------------------------------------------------------------------
+
+    def _make_menus(self) -> None:
+        titles = {
+            "File": self.tr("&File"),
+            "Edit": self.tr("&Edit"),
+            "Gaps": self.tr("&Gaps"),
+            "Play": self.tr("&Play"),
+            "View": self.tr("&View"),
+            "Help": self.tr("&Help"),
+        }
+        menus = {name: self.menuBar().addMenu(titles[name]) for name in MENUS}
+        for spec in ACTIONS:
+            if spec.starts_group:
+                menus[spec.menu].addSeparator()
+            menus[spec.menu].addAction(self.actions_by_id[spec.id])
+        self.recent_menu = QMenu(self.tr("Open recent"), self)
+        self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
+        menus["File"].insertMenu(self.actions_by_id["export"], self.recent_menu)
+        # Actions that are only in menus answer to their keys through the window.
+        self.addActions(list(self.actions_by_id.values()))
+
+    def _make_toolbar(self) -> None:
+        bar = self.addToolBar(self.tr("Tools"))
+        bar.setObjectName("tools")
+        bar.setMovable(False)
+        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        for name in TOOLBAR:
+            if name is None:
+                bar.addSeparator()
+            else:
+                bar.addAction(self.actions_by_id[name])
+        bar.addWidget(self.transport)
+
+    def _make_status_bar(self) -> None:
+        self._facts = QLabel()
+        self.statusBar().addPermanentWidget(JobIndicator(self.jobs))
+        self.statusBar().addPermanentWidget(self.notes)
+        self.statusBar().addPermanentWidget(self._facts)
+
+    def _connect(self) -> None:
+        plain: dict[str, Callable[[], object]] = {
+            "open": self.ask_and_open,
+            "export": self.export,
+            "save_report": self.save_report,
+            "close": self.close_file,
+            "quit": self.close,
+            "shortcuts": lambda: shortcuts_dialog(self, self.actions_by_id).open(),
+            "log": lambda: QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_path()))),
+            "about": self._about,
+        }
+        of_workspace: dict[str, Callable[[Workspace], object]] = {
+            "undo": lambda w: w.document.undo_stack.undo(),
+            "redo": lambda w: w.document.undo_stack.redo(),
+            "next_gap": lambda w: w.step_gap(1),
+            "previous_gap": lambda w: w.step_gap(-1),
+            "next_gap_here": lambda w: w.step_gap(1, same_marker=True),
+            "previous_gap_here": lambda w: w.step_gap(-1, same_marker=True),
+            "next_method": lambda w: w.repair.step_method(1),
+            "previous_method": lambda w: w.repair.step_method(-1),
+            "apply": Workspace.apply_preview,
+            "fill_all": Workspace.fill_all,
+            "clear_fill": Workspace.clear_fill,
+            "play": lambda w: w.player.toggle(),
+            "next_frame": lambda w: w.step_frames(1),
+            "previous_frame": lambda w: w.step_frames(-1),
+            "forward": lambda w: w.step_seconds(1.0),
+            "back": lambda w: w.step_seconds(-1.0),
+            "first_frame": lambda w: w.go_to_frame(0),
+            "last_frame": lambda w: w.go_to_frame(w.view.frames - 1),
+            "faster": lambda w: w.player.step_speed(1),
+            "slower": lambda w: w.player.step_speed(-1),
+            "zoom_in": lambda w: w.zoom_time(0.5),
+            "zoom_out": lambda w: w.zoom_time(2.0),
+            "zoom_all": Workspace.zoom_all,
+        }
+        for name in ("front", "back", "left", "right", "top", "oblique"):
+            of_workspace[f"view_{name}"] = lambda w, name=name: w.scene.look(name)  # type: ignore[misc]
+        for name, call in plain.items():
+            self.actions_by_id[name].triggered.connect(lambda _=False, call=call: call())
+        for name, use in of_workspace.items():
+            self.actions_by_id[name].triggered.connect(lambda _=False, use=use: self._with(use))
+        switches: dict[str, Callable[[Workspace, bool], None]] = {
+            "follow": lambda w, on: w.scene.set_follow(on),
+            "labels": lambda w, on: w.scene.set_labels(on),
+            "trails": lambda w, on: w.scene.set_trails(on),
+            "separate": lambda w, on: w.trajectories.set_separate(on),
+        }
+        for name, switch in switches.items():
+            self.actions_by_id[name].toggled.connect(
+                lambda on, switch=switch: self._with(lambda w: switch(w, on))
+            )
+        self.actions_by_id["theme"].toggled.connect(self._choose_theme)
+
+    def _with(self, use: Callable[[Workspace], object]) -> None:
+        if self.workspace is not None:
+            use(self.workspace)
+
+    # --- files -------------------------------------------------------------------------------
+
+    def ask_and_open(self) -> None:
+        """Let the user choose a recording and open it."""
+        path, _ = QFileDialog.getOpenFileName(
+            self,
+            self.tr("Open recording"),
+            self.settings.get(LAST_FOLDER),
+            self.tr("C3D recordings (*.c3d *.C3D);;All files (*)"),
+        )
+        if path:
+            self.open_path(Path(path))
+
+    def open_path(self, path: Path) -> None:
+        """Open a recording; the present one stays until the new one is fully read."""
+        if self._loading:
+            return
+        self._loading = True
+        job = self.jobs.read_or_write(self.tr("Opening {0}").format(path.name), engine.load, path)
+        job.finished.connect(lambda loaded: self._adopt(*loaded))
+        job.failed.connect(self.show_error)
+        job.ended.connect(self._end_loading)
+
+    def _end_loading(self) -> None:
+        self._loading = False
+
+    def _adopt(self, source: C3DFile, skeleton: Skeleton) -> None:
+        self._after_saving(lambda: self.show_source(source, skeleton))
+
+    def show_source(self, source: C3DFile, skeleton: Skeleton) -> None:
+        """Show a recording that has been read in place of the present one."""
+        self._drop_workspace()
+        workspace = Workspace(
+            Document(source, skeleton), self.jobs, self.settings, self.theme, self.actions_by_id
+        )
+        self.workspace = workspace
+        workspace.message.connect(lambda text: self.statusBar().showMessage(text, MESSAGE_MS))
+        workspace.failed.connect(self.show_error)
+        for name in ("follow", "labels", "trails", "separate"):
+            self.actions_by_id[name].toggled.emit(self.actions_by_id[name].isChecked())
+        stack = workspace.document.undo_stack
+        stack.indexChanged.connect(self._show_undo)
+        stack.cleanChanged.connect(self._show_title)
+        self._keys.guard(workspace)
+        self.stack.addWidget(workspace)
+        self.stack.setCurrentWidget(workspace)
+        path = source.path.resolve()
+        self.settings.remember_file(str(path))
+        self.settings.set(LAST_FOLDER, str(path.parent))
+        self._show_document()
+        self.statusBar().showMessage(self.tr("Opened {0}").format(path.name), MESSAGE_MS)
+        workspace.setFocus()
+
+    def close_file(self) -> None:
+        """Close the open recording."""
+        self._after_saving(self._close_file)
+
+    def _close_file(self) -> None:
+        self._drop_workspace()
+        self._show_document()
+
+    def _drop_workspace(self) -> None:
+        if self.workspace is None:
+            return
+        workspace, self.workspace = self.workspace, None
+        workspace.stop()
+        workspace.save_layout()
+        self.stack.removeWidget(workspace)
+        workspace.deleteLater()
+
+    def export(self, then: Callable[[], None] | None = None) -> None:
+        """Let the user choose where the repaired recording goes, and write it there."""
+        if self.workspace is None:
+            return
+        source = self.workspace.document.source
+        proposed = source.path.with_name(f"{source.path.stem}_repaired{source.path.suffix}")
+        path, _ = QFileDialog.getSaveFileName(
+            self,
+            self.tr("Export repaired recording"),
+            str(proposed),
+            self.tr("C3D recordings (*.c3d)"),
+        )
+        if path:
+            self.export_to(Path(path), then)
+
+    def export_to(self, path: Path, then: Callable[[], None] | None = None) -> None:
+        """Write the repaired recording, after asking about what cannot be taken back."""
+        assert self.workspace is not None
+        document = self.workspace.document
+        replaces = path.exists() and path.samefile(document.source.path)
+        if replaces and not self._confirm(
+            self.tr("Replace the original recording?"),
+            self.tr(
+                "{0} is the file that you opened. Its missing samples will be overwritten with the "
+                "repairs, and the undo history ends here. A new name keeps both."
+            ).format(path.name),
+        ):
+            return
+        if document.source.truncated and not self._confirm(
+            self.tr("Export a truncated recording?"),
+            self.tr("The file ends before its data do. The copy will be as short as the original."),
+        ):
+            return
+        job = self.jobs.read_or_write(
+            self.tr("Exporting {0}").format(path.name),
+            engine.export,
+            document.source,
+            document.changed_runs(),
+            path,
+            replaces,
+            document.source.truncated,
+        )
+        index = document.undo_stack.index()
+        job.finished.connect(lambda done: self._exported(document, index, path, done, then))
+        job.failed.connect(self.show_error)
+
+    def _exported(
+        self,
+        document: Document,
+        index: int,
+        path: Path,
+        exported: engine.Exported,
+        then: Callable[[], None] | None,
+    ) -> None:
+        self.settings.remember_file(str(path.resolve()))
+        if self.workspace is not None and self.workspace.document is document:
+            # Edits made while the file was written are not in it.
+            if document.undo_stack.index() == index:
+                document.undo_stack.setClean()
+            if path.samefile(document.source.path) and then is None:
+                self.open_path(path)
+        self.statusBar().showMessage(
+            self.tr(
+                "Exported {0}: {1} samples repaired, all else is byte for byte the same."
+            ).format(path.name, exported.saved.samples)
+        )
+        if then is not None:
+            then()
+
+    def save_report(self) -> None:
+        """Let the user choose where the HTML report goes, and write it there."""
+        if self.workspace is None:
+            return
+        source = self.workspace.document.source
+        path, _ = QFileDialog.getSaveFileName(
+            self,
+            self.tr("Save report"),
+            str(source.path.with_name(f"{source.path.stem}_report.html")),
+            self.tr("HTML (*.html)"),
+        )
+        if not path:
+            return
+        job = self.jobs.read_or_write(
+            self.tr("Writing the report"),
+            engine.write_report,
+            *self.workspace.report_inputs(),
+            Path(path),
+        )
+        job.finished.connect(
+            lambda _: self.statusBar().showMessage(
+                self.tr("Report written to {0}").format(Path(path).name), MESSAGE_MS
+            )
+        )
+        job.failed.connect(self.show_error)
+
+    def _after_saving(self, then: Callable[[], None]) -> None:
+        """Go on with what ends the present document, once its edits are saved or given up."""
+        if self.workspace is None or self.workspace.document.undo_stack.isClean():
+            then()
+            return
+        answer = QMessageBox.question(
+            self,
+            "mocapmend",
+            self.tr("{0} has repairs that are not exported yet.").format(
+                self.workspace.document.source.path.name
+            ),
+            QMessageBox.StandardButton.Save
+            | QMessageBox.StandardButton.Discard
+            | QMessageBox.StandardButton.Cancel,
+            QMessageBox.StandardButton.Save,
+        )
+        if answer == QMessageBox.StandardButton.Save:
+            self.export(then)
+        elif answer == QMessageBox.StandardButton.Discard:
+            then()
+
+    def _confirm(self, question: str, detail: str) -> bool:
+        box = QMessageBox(QMessageBox.Icon.Warning, "mocapmend", question, parent=self)
+        box.setInformativeText(detail)
+        go = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.AcceptRole)
+        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        box.exec()
+        return box.clickedButton() is go
+
+    # --- showing -----------------------------------------------------------------------------
+
+    def show_error(self, error: Exception) -> None:
+        """Report an error; the document stays as it is."""
+        expected = isinstance(error, MocapmendError)
+        log.error("%s", error, exc_info=None if expected else error)
+        error_box(self, error).open()
+
+    def _about(self) -> None:
+        QMessageBox.about(
+            self,
+            self.tr("About mocapmend"),
+            f"<b>mocapmend {__version__}</b><p>"
+            + self.tr("Inspects and repairs optical motion-capture recordings.")
+            + f"</p><p>{environment()}</p>",
+        )
+
+    def _choose_theme(self, light: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        self.theme = LIGHT if light else DARK
+        self.settings.set(THEME, self.theme.name)
+        self._show_theme()
+
+    def _show_theme(self) -> None:
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        theme.apply(app, self.theme)
+        for name in ICONS:
+            self.actions_by_id[name].setIcon(icon(name, self.theme))
+        self.transport.set_theme(self.theme)
+        if self.workspace is not None:
+            self.workspace.set_theme(self.theme)
+
+    def _show_document(self) -> None:
+        workspace = self.workspace
+        has = {
+            "nothing": True,
+            "document": workspace is not None,
+            "markers": workspace is not None and workspace.document.original.markers > 0,
+        }
+        for spec in ACTIONS:
+            self.actions_by_id[spec.id].setEnabled(has[spec.needs])
+        self.transport.show_workspace(workspace if has["markers"] else None)
+        self.notes.show_warnings(workspace.document.source.warnings if workspace else ())
+        if workspace is None:
+            recent = self.settings.get(RECENT_FILES)
+            self.welcome.show_recent(recent)
+            self.stack.setCurrentWidget(self.welcome)
+            self._facts.setText("")
+        else:
+            original = workspace.document.original
+            self._facts.setText(
+                self.tr("{0} markers · {1} frames · {2} Hz · {3} s · {4}").format(
+                    original.markers,
+                    original.frames,
+                    f"{original.rate:g}",
+                    f"{original.frames / original.rate:.2f}",
+                    original.unit,
+                )
+            )
+        self._show_undo()
+        self._show_title()
+
+    def _show_undo(self) -> None:
+        stack = self.workspace.document.undo_stack if self.workspace else None
+        for name, text, label in (
+            ("undo", stack.undoText() if stack else "", self.tr("Undo")),
+            ("redo", stack.redoText() if stack else "", self.tr("Redo")),
+        ):
+            action = self.actions_by_id[name]
+            action.setEnabled(bool(text))
+            action.setText(f"{label} {text}".strip())
+
+    def _show_title(self) -> None:
+        if self.workspace is None:
+            self.setWindowModified(False)
+            self.setWindowTitle("mocapmend")
+            return
+        document = self.workspace.document
+        self.setWindowTitle(f"{document.source.path.name}[*] — mocapmend")
+        self.setWindowModified(not document.undo_stack.isClean())
+
+    def _fill_recent_menu(self) -> None:
+        self.recent_menu.clear()
+        recent = self.settings.get(RECENT_FILES)
+        for text in recent:
+            action = QAction(Path(text).name, self.recent_menu)
+            action.setToolTip(text)
+            action.triggered.connect(lambda _=False, text=text: self.open_path(Path(text)))
+            self.recent_menu.addAction(action)
+        if not recent:
+            self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
+
+    # --- what the user does to the window ----------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if _dropped_file(event.mimeData()) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        path = _dropped_file(event.mimeData())
+        if path is not None:
+            event.acceptProposedAction()
+            self.open_path(path)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self.workspace is not None and not self.workspace.document.undo_stack.isClean():
+            event.ignore()
+            self._after_saving(self._close_for_good)
+            return
+        self.settings.set(GEOMETRY, bytes(self.saveGeometry().data()))
+        self._drop_workspace()
+        self.jobs.shut_down()
+        event.accept()
+
+    def _close_for_good(self) -> None:
+        self._drop_workspace()
+        self.close()
+
+
+def _dropped_file(data: QMimeData) -> Path | None:
+    files = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
+    return files[0] if len(files) == 1 else None

@@ -1,0 +1,203 @@
+"""The marker list: how much of each marker is missing, and in how many gaps."""
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+)
+from PySide6.QtGui import QBrush, QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QLineEdit,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from mocapmend.document import Document
+from mocapmend.state import SampleState
+from mocapmend.theme import Theme
+from mocapmend.viewstate import ViewState
+
+Index = QModelIndex | QPersistentModelIndex
+NO_PARENT = QModelIndex()
+SORT_ROLE = Qt.ItemDataRole.UserRole
+TABLE_WIDTH = 270
+
+
+class MarkerModel(QAbstractTableModel):
+    """One row per marker: label, % missing, open gaps, longest gap, repaired samples."""
+
+    def __init__(self, document: Document, theme: Theme) -> None:
+        super().__init__()
+        self._document = document
+        self._theme = theme
+        self._columns = (
+            self.tr("Marker"),
+            self.tr("Missing"),
+            self.tr("Gaps"),
+            self.tr("Longest"),
+        )
+        document.samples_changed.connect(self._refresh)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Colour the rows for another theme."""
+        self._theme = theme
+        self._refresh()
+
+    def rowCount(self, parent: Index = NO_PARENT) -> int:
+        return 0 if parent.isValid() else self._document.original.markers
+
+    def columnCount(self, parent: Index = NO_PARENT) -> int:
+        return 0 if parent.isValid() else len(self._columns)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
+            return self._columns[section]
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        marker, column = index.row(), index.column()
+        if role == Qt.ItemDataRole.TextAlignmentRole and column:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.ForegroundRole:
+            return self._brush(marker)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(marker)
+        if role not in (Qt.ItemDataRole.DisplayRole, SORT_ROLE):
+            return None
+        value = self._value(marker, column)
+        if role == SORT_ROLE or isinstance(value, str):
+            return value
+        if column == 1:
+            return "—" if value == 0 else f"{value:.1f} %"
+        return str(value) if value else "—"
+
+    def _value(self, marker: int, column: int) -> str | float | int:
+        gaps = self._document.gaps_of(marker)
+        if column == 0:
+            return self._document.original.labels[marker]
+        if column == 1:
+            frames = max(1, self._document.original.frames)
+            return 100.0 * sum(gap.length for gap in gaps) / frames
+        if column == 2:
+            return len(gaps)
+        return max((gap.length for gap in gaps), default=0)
+
+    def _brush(self, marker: int) -> QBrush | None:
+        gaps, frames = self._document.gaps_of(marker), self._document.original.frames
+        if gaps and gaps[0].length == frames:
+            return QBrush(QColor(self._theme.dim))
+        return None
+
+    def _tip(self, marker: int) -> str:
+        gaps, original = self._document.gaps_of(marker), self._document.original
+        label = original.labels[marker]
+        if gaps and gaps[0].length == original.frames:
+            return self.tr("{0}: never seen in this recording").format(label)
+        filled = int(np.diff(self._document.runs(marker, SampleState.FILLED), axis=1).sum())
+        longest = max((gap.length for gap in gaps), default=0)
+        return self.tr(
+            "{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled"
+        ).format(label, len(gaps), longest, round(1000.0 * longest / original.rate), filled)
+
+    def _refresh(self) -> None:
+        last = self.index(self.rowCount() - 1, len(self._columns) - 1)
+        self.dataChanged.emit(self.index(0, 0), last)
+
+
+class MarkerTable(QWidget):
+    """The marker list with a filter; its selection is the view state's."""
+
+    def __init__(
+        self, document: Document, view: ViewState, theme: Theme, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setMinimumWidth(TABLE_WIDTH)
+        self._view = view
+        self._following = False
+        self._model = MarkerModel(document, theme)
+        self._model.setParent(self)
+        self._proxy = QSortFilterProxyModel(self)
+        self._proxy.setSourceModel(self._model)
+        self._proxy.setSortRole(SORT_ROLE)
+        self._proxy.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        self.filter = QLineEdit()
+        self.filter.setPlaceholderText(self.tr("Filter markers"))
+        self.filter.setClearButtonEnabled(True)
+        self.filter.setAccessibleName(self.tr("Filter markers"))
+        self.filter.textChanged.connect(self._proxy.setFilterFixedString)
+        self.table = self._make_table()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.addWidget(self.filter)
+        layout.addWidget(self.table)
+        view.selection_changed.connect(self._follow)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Colour the rows for another theme."""
+        self._model.set_theme(theme)
+
+    def _make_table(self) -> QTableView:
+        table = QTableView()
+        table.setModel(self._proxy)
+        table.setSortingEnabled(True)
+        table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        table.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        table.setShowGrid(False)
+        table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        table.setTabKeyNavigation(False)
+        table.setAccessibleName(self.tr("Markers"))
+        table.verticalHeader().hide()
+        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
+        header = table.horizontalHeader()
+        header.setMinimumSectionSize(30)
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        for column, widest in ((1, "100.0 %"), (2, "0000"), (3, "00000")):
+            texts = (widest, str(self._model.headerData(column, Qt.Orientation.Horizontal)))
+            # Room for the margins and the mark of the sorted column.
+            width = max(table.fontMetrics().horizontalAdvance(text) for text in texts) + 16
+            header.resizeSection(column, width)
+        table.selectionModel().selectionChanged.connect(self._lead)
+        return table
+
+    def _lead(self, chosen: QItemSelection, dropped: QItemSelection) -> None:
+        """Take the user's selection over into the view state, the newest marker last."""
+        if self._following:
+            return
+        rows = self.table.selectionModel().selectedRows()
+        selected = {self._proxy.mapToSource(row).row() for row in rows}
+        kept = tuple(marker for marker in self._view.selection if marker in selected)
+        new = tuple(sorted(selected.difference(kept)))
+        self._view.select((*kept, *new))
+
+    def _follow(self, markers: tuple[int, ...]) -> None:
+        """Show a selection that was made elsewhere."""
+        rows = self.table.selectionModel().selectedRows()
+        if {self._proxy.mapToSource(row).row() for row in rows} == set(markers):
+            return
+        chosen = QItemSelection()
+        for marker in markers:
+            place = self._proxy.mapFromSource(self._model.index(marker, 0))
+            if place.isValid():
+                chosen.select(place, place)
+        flags = QItemSelectionModel.SelectionFlag
+        self._following = True
+        self.table.selectionModel().select(chosen, flags.ClearAndSelect | flags.Rows)
+        self._following = False
+        if markers:
+            self.table.scrollTo(self._proxy.mapFromSource(self._model.index(markers[-1], 0)))

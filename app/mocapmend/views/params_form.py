@@ -1,0 +1,98 @@
+"""A form for a method's parameters, made from its parameter class."""
+
+from collections.abc import Callable
+from dataclasses import Field, fields
+from types import NoneType
+from typing import Any, Literal, get_args, get_origin, get_type_hints
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QSpinBox,
+    QWidget,
+)
+
+Getter = Callable[[], Any]
+UNBOUNDED = 1_000_000
+
+
+class ParamsForm(QWidget):
+    """Edits an instance of a parameter dataclass; `changed` follows every change of the user's."""
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._layout = QFormLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._kind: type[Any] | None = None
+        self._getters: dict[str, Getter] = {}
+
+    def show_class(self, kind: type[Any]) -> None:
+        """Make the fields of a parameter class, with its defaults."""
+        while self._layout.rowCount():
+            self._layout.removeRow(0)
+        self._kind = kind
+        self._getters = {}
+        hints = get_type_hints(kind)
+        for entry in fields(kind):
+            widget, getter = self._editor(entry, hints[entry.name])
+            widget.setToolTip(str(entry.metadata.get("help", "")))
+            widget.setAccessibleName(str(entry.metadata.get("label", entry.name)))
+            self._layout.addRow(str(entry.metadata.get("label", entry.name)), widget)
+            self._getters[entry.name] = getter
+
+    def params(self) -> object:
+        """Return the parameters as the form shows them."""
+        assert self._kind is not None
+        return self._kind(**{name: getter() for name, getter in self._getters.items()})
+
+    def _editor(self, entry: Field[Any], hint: Any) -> tuple[QWidget, Getter]:
+        if NoneType in get_args(hint):
+            inner = next(part for part in get_args(hint) if part is not NoneType)
+            return self._optional(entry, inner)
+        if get_origin(hint) is Literal:
+            return self._choice(get_args(hint), entry.default)
+        if hint is bool:
+            box = QCheckBox()
+            box.setChecked(bool(entry.default))
+            box.toggled.connect(self.changed)
+            return box, box.isChecked
+        return self._number(entry, hint, entry.default)
+
+    def _choice(self, options: tuple[str, ...], default: object) -> tuple[QWidget, Getter]:
+        combo = QComboBox()
+        for option in options:
+            combo.addItem(option, option)
+        combo.setCurrentIndex(options.index(str(default)))
+        combo.currentIndexChanged.connect(self.changed)
+        return combo, combo.currentData
+
+    def _number(
+        self, entry: Field[Any], hint: type, default: Any
+    ) -> tuple[QSpinBox | QDoubleSpinBox, Getter]:
+        spin: QSpinBox | QDoubleSpinBox = QSpinBox() if hint is int else QDoubleSpinBox()
+        low, high = entry.metadata["min"], entry.metadata["max"]
+        spin.setRange(0 if low is None else low, UNBOUNDED if high is None else high)
+        unit = entry.metadata.get("unit")
+        spin.setSuffix(f" {unit}" if unit else "")
+        spin.setValue(default)
+        spin.setKeyboardTracking(False)
+        spin.valueChanged.connect(self.changed)
+        return spin, spin.value
+
+    def _optional(self, entry: Field[Any], inner: type) -> tuple[QWidget, Getter]:
+        """Make a number that can be left to the method: below its minimum it reads "automatic"."""
+        low = entry.metadata["min"] or 0
+        default: Any = entry.default
+        spin, _ = self._number(entry, inner, low)
+        lowest: Any = low - spin.singleStep()
+        spin.blockSignals(True)  # noqa: FBT003 - Qt's own signature
+        spin.setMinimum(lowest)
+        spin.setSpecialValueText(self.tr("automatic"))
+        spin.setValue(lowest if default is None else default)
+        spin.blockSignals(False)  # noqa: FBT003 - Qt's own signature
+        return spin, lambda: None if spin.value() < low else spin.value()

@@ -1,0 +1,277 @@
+"""The repair pane: the current gap, the method and what it promises, and filling all at once."""
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSpinBox,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from mocapmend.document import Document
+from mocapmend.settings import LIMIT_ERROR, MAX_ERROR_MM, MAX_GAP_MS, METHOD, Settings
+from mocapmend.views.params_form import ParamsForm
+from mocapmend.viewstate import Preview, ViewState
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.registry import METHODS
+
+PANEL_WIDTH = 270
+
+
+class RepairPanel(QScrollArea):
+    """Shows what can be done about the current gap; doing it is the window's job.
+
+    Signals
+    -------
+    method_chosen : str, object
+        Method id and parameters.
+    """
+
+    method_chosen = Signal(str, object)
+
+    def __init__(
+        self,
+        document: Document,
+        view: ViewState,
+        settings: Settings,
+        actions: dict[str, QAction],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._view = view
+        self._settings = settings
+        self.setWidgetResizable(True)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        body = QWidget()
+        layout = QVBoxLayout(body)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(10)
+        layout.addWidget(self._make_gap_box(actions))
+        layout.addWidget(self._make_all_box(actions))
+        layout.addStretch(1)
+        self.setWidget(body)
+        room = self.verticalScrollBar().sizeHint().width() + 2
+        self.setMinimumWidth(max(PANEL_WIDTH, body.minimumSizeHint().width() + room))
+        self._show_method()
+        view.gap_changed.connect(self._show_gap)
+        view.preview_changed.connect(self._show_gap)
+        document.samples_changed.connect(self._show_gap)
+        self._show_gap()
+
+    # --- what it asks for --------------------------------------------------------------------
+
+    def method(self) -> tuple[str, Any]:
+        """Return the chosen method id and its parameters."""
+        return str(self._method.currentData()), self._form.params()
+
+    def step_method(self, step: int) -> None:
+        """Choose the next or the previous method of the list."""
+        self._method.setCurrentIndex((self._method.currentIndex() + step) % self._method.count())
+
+    def max_gap(self) -> int:
+        """Return the longest gap that filling all may fill, in frames."""
+        return self._max_gap.value()
+
+    def max_error_mm(self) -> float:
+        """Return the largest expected error that filling all may accept, in mm."""
+        return self._max_error.value() if self._limit_error.isChecked() else float("inf")
+
+    def show_outcome(self, text: str, *, open_gaps: bool) -> None:
+        """Say what filling all has done."""
+        self._outcome.setText(text)
+        self._outcome.setVisible(bool(text))
+        self.left_open.setVisible(open_gaps)
+
+    # --- parts -------------------------------------------------------------------------------
+
+    def _make_gap_box(self, actions: dict[str, QAction]) -> QGroupBox:
+        box = QGroupBox(self.tr("Current gap"))
+        layout = QVBoxLayout(box)
+        self._title = QLabel()
+        self._title.setWordWrap(True)
+        self._title.setTextFormat(Qt.TextFormat.PlainText)
+        steps = QHBoxLayout()
+        for name, text in (
+            ("previous_gap", self.tr("◀ Previous")),
+            ("next_gap", self.tr("Next ▶")),
+        ):
+            button = QToolButton()
+            button.setDefaultAction(actions[name])
+            button.setText(text)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+            button.setSizePolicy(
+                button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed
+            )
+            steps.addWidget(button)
+        self._method = QComboBox()
+        self._method.setAccessibleName(self.tr("Method"))
+        for method in METHODS.values():
+            self._method.addItem(method.label, method.id)
+            self._method.setItemData(
+                self._method.count() - 1, method.help, Qt.ItemDataRole.ToolTipRole
+            )
+        remembered = self._method.findData(self._settings.get(METHOD))
+        self._method.setCurrentIndex(max(remembered, 0))
+        self._method.currentIndexChanged.connect(self._show_method)
+        self._form = ParamsForm()
+        self._form.changed.connect(self._announce)
+        self._promise = QLabel()
+        self._promise.setWordWrap(True)
+        self._promise.setTextFormat(Qt.TextFormat.RichText)
+        self._promise.setMinimumHeight(self._promise.fontMetrics().height() * 4)
+        self._promise.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._apply = _button(actions["apply"], self.tr("Apply"))
+        self._clear = _button(actions["clear_fill"], self.tr("Turn back into a gap"))
+        for part in (self._title, steps, self._method, self._form, self._promise):
+            if isinstance(part, QHBoxLayout):
+                layout.addLayout(part)
+            else:
+                layout.addWidget(part)
+        layout.addWidget(self._apply)
+        layout.addWidget(self._clear)
+        return box
+
+    def _make_all_box(self, actions: dict[str, QAction]) -> QGroupBox:
+        box = QGroupBox(self.tr("All gaps, with this method"))
+        layout = QVBoxLayout(box)
+        rate = self._document.original.rate
+        self._max_gap = QSpinBox()
+        self._max_gap.setRange(0, max(1, self._document.original.frames))
+        self._max_gap.setAccessibleName(self.tr("Longest gap in frames"))
+        self._max_gap.setValue(int(self._settings.get(MAX_GAP_MS) * rate / 1000.0 + 1e-6))
+        self._max_gap.valueChanged.connect(self._show_limit)
+        self._limit_error = QCheckBox(self.tr("expected error"))
+        self._limit_error.setChecked(self._settings.get(LIMIT_ERROR))
+        self._limit_error.toggled.connect(lambda on: self._settings.set(LIMIT_ERROR, on))
+        self._max_error = QDoubleSpinBox()
+        self._max_error.setRange(0.1, 1000.0)
+        self._max_error.setDecimals(1)
+        self._max_error.setPrefix("≤ ")
+        self._max_error.setSuffix(" mm")
+        self._max_error.setAccessibleName(self.tr("Largest expected error in mm"))
+        self._max_error.setValue(self._settings.get(MAX_ERROR_MM))
+        self._max_error.setEnabled(self._limit_error.isChecked())
+        self._max_error.valueChanged.connect(lambda mm: self._settings.set(MAX_ERROR_MM, mm))
+        self._limit_error.toggled.connect(self._max_error.setEnabled)
+        form = QFormLayout()
+        form.addRow(self.tr("up to"), self._max_gap)
+        form.addRow(self._limit_error, self._max_error)
+        self._outcome = QLabel()
+        self._outcome.setWordWrap(True)
+        self.left_open = QPushButton(self.tr("Show what stayed open…"))
+        layout.addLayout(form)
+        layout.addWidget(_button(actions["fill_all"], self.tr("Fill all")))
+        layout.addWidget(self._outcome)
+        layout.addWidget(self.left_open)
+        self.show_outcome("", open_gaps=False)
+        self._show_limit()
+        return box
+
+    # --- what it shows -----------------------------------------------------------------------
+
+    def _show_limit(self) -> None:
+        ms = 1000.0 * self._max_gap.value() / self._document.original.rate
+        self._max_gap.setSuffix(self.tr(" frames ({0} ms)").format(round(ms)))
+        self._settings.set(MAX_GAP_MS, ms)
+
+    def _show_method(self) -> None:
+        method = METHODS[str(self._method.currentData())]
+        self._method.setToolTip(method.help)
+        self._form.show_class(method.params)
+        self._settings.set(METHOD, method.id)
+        self._announce()
+
+    def _announce(self) -> None:
+        self.method_chosen.emit(*self.method())
+
+    def _show_gap(self) -> None:
+        gap, preview = self._view.gap, self._view.preview
+        repair = None if gap is None else self._document.repairs.get(gap)
+        self._title.setText(self._gap_text(gap))
+        self._clear.setVisible(repair is not None)
+        self._apply.setVisible(repair is None)
+        if gap is None:
+            text = self.tr("Press N for the next gap, or click one on the timeline.")
+        elif repair is not None:
+            text = self.tr("Repaired with <b>{0}</b>.").format(METHODS[repair.method].label)
+            text += self._error_text(repair.patch.expected_error)
+        elif preview is None:
+            text = self.tr("Computing the preview…")
+        else:
+            text = self._preview_text(preview)
+        self._promise.setText(text)
+
+    def _gap_text(self, gap: Gap | None) -> str:
+        if gap is None:
+            count = sum(1 for g in self._document.gaps if g.length < self._document.original.frames)
+            return self.tr("{0} open gaps").format(count)
+        original = self._document.original
+        places = {
+            "interior": "",
+            "leading": self.tr(", at the start"),
+            "trailing": self.tr(", at the end"),
+            "whole": self.tr(", never seen"),
+        }
+        return self.tr("{0}: frames {1} to {2}\n{3} frames ({4} ms){5}").format(
+            original.labels[gap.marker],
+            gap.start + original.first_frame,
+            gap.stop - 1 + original.first_frame,
+            gap.length,
+            round(1000.0 * gap.length / original.rate),
+            places[gap.kind(original.frames)],
+        )
+
+    def _preview_text(self, preview: Preview) -> str:
+        if preview.patch is None:
+            return self.tr("<b>Stays open:</b> {0}").format(_escape(preview.reason))
+        text = self._error_text(preview.patch.expected_error)
+        mm = self._document.original.mm
+        radius = float(np.median(preview.patch.r90)) * mm
+        if np.isfinite(radius):
+            text += self.tr(", 90 % within {0} mm").format(f"{radius:.1f}")
+        tests = preview.note.get("self_tests")
+        if tests:
+            where = (
+                self.tr("this marker")
+                if preview.note.get("tested_on") == "this marker"
+                else self.tr("all markers")
+            )
+            text += "<br>" + self.tr("Measured on {0} hidden stretches of {1}.").format(
+                tests, where
+            )
+        return text
+
+    def _error_text(self, error: float) -> str:
+        mm = error * self._document.original.mm
+        if np.isfinite(mm):
+            return self.tr(" Expected error <b>{0} mm</b>").format(f"{mm:.1f}")
+        return self.tr(" Expected error <b>unknown</b>: too little of the recording to test on")
+
+
+def _button(action: QAction, text: str) -> QPushButton:
+    """Make a push button for an action: enabled with it, and with its shortcut in the tool tip."""
+    button = QPushButton(text)
+    button.setToolTip(action.toolTip())
+    button.setEnabled(action.isEnabled())
+    button.clicked.connect(action.trigger)
+    action.changed.connect(lambda: button.setEnabled(action.isEnabled()))
+    return button
+
+
+def _escape(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;")

@@ -1,0 +1,20 @@
+"""The recordings that ship with the program."""
+
+from importlib.resources import files
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication
+
+from mocapmend.translate import QT_TRANSLATE_NOOP
+
+_SAMPLES = (
+    ("gait_plug_in_gait.c3d", QT_TRANSLATE_NOOP("Samples", "Gait, Plug-in Gait, with gaps")),
+    ("sprint_basketball.c3d", QT_TRANSLATE_NOOP("Samples", "Wheelchair sprint, many gaps")),
+    ("walk_cmu_02_01.c3d", QT_TRANSLATE_NOOP("Samples", "Walk, 41 markers, complete")),
+)
+
+
+def sample_recordings() -> list[tuple[Path, str]]:
+    """Return the sample files with what they show."""
+    folder = Path(str(files("mocapmend_resources") / "samples"))
+    return [(folder / name, QCoreApplication.translate("Samples", text)) for name, text in _SAMPLES]

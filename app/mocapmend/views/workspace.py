@@ -1,0 +1,304 @@
+"""Everything that shows one document: the views around it, and what the user does to it."""
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabWidget, QWidget
+
+from mocapmend import engine
+from mocapmend.commands import EditSamples
+from mocapmend.document import Document, Edit
+from mocapmend.jobs import Job, Jobs
+from mocapmend.navigation import in_time_order, neighbour
+from mocapmend.report import About
+from mocapmend.settings import LAYOUT, Settings
+from mocapmend.theme import Theme
+from mocapmend.views.dialogs import left_open_dialog
+from mocapmend.views.marker_table import MarkerTable
+from mocapmend.views.player import Player
+from mocapmend.views.previewer import Previewer
+from mocapmend.views.repair_panel import RepairPanel
+from mocapmend.views.report_pane import ReportPane
+from mocapmend.views.scene import Scene
+from mocapmend.views.timeline import Timeline
+from mocapmend.views.trajectories import Trajectories
+from mocapmend.viewstate import ViewState
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
+from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.fill.registry import METHODS
+
+LAYOUT_VERSION = 1
+
+
+class Workspace(QMainWindow):
+    """The views of a document; the window around it holds menus and files.
+
+    Signals
+    -------
+    message : str
+        Something the user should read in passing.
+    failed : Exception
+        Something that could not be done.
+    """
+
+    message = Signal(str)
+    failed = Signal(object)
+
+    def __init__(
+        self,
+        document: Document,
+        jobs: Jobs,
+        settings: Settings,
+        theme: Theme,
+        actions: dict[str, QAction],
+    ) -> None:
+        super().__init__()
+        self.setWindowFlags(Qt.WindowType.Widget)
+        self.document = document
+        document.setParent(self)
+        self._jobs = jobs
+        self._settings = settings
+        original = document.original
+        self.view = ViewState(original.frames, self)
+        self.player = Player(self.view, original.rate, self)
+        self.previewer = Previewer(document, self.view, jobs, self)
+        self.scene = Scene(document, self.view, theme)
+        self.trajectories = Trajectories(document, self.view, theme)
+        self.timeline = Timeline(document, self.view, theme)
+        self.markers = MarkerTable(document, self.view, theme)
+        self.repair = RepairPanel(document, self.view, settings, actions)
+        self.report = ReportPane(document, self.view, jobs, theme)
+        self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
+        self._left_open: tuple[Unfilled, ...] = ()
+        self._filling: Job | None = None
+        self._arrange()
+        self.repair.method_chosen.connect(self.previewer.choose)
+        self.repair.left_open.clicked.connect(self._show_left_open)
+        self.previewer.choose(*self.repair.method())
+        for part in (self.previewer, self.report):
+            part.failed.connect(self.failed)
+        self._show_first_gap()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Paint with other colours from now on."""
+        for part in self._themed:
+            part.set_theme(theme)
+
+    def stop(self) -> None:
+        """End what goes on by itself: the document is going away."""
+        self.player.pause()
+        self.previewer.stop()
+        self.report.stop()
+        if self._filling is not None:
+            self._filling.cancel()
+
+    def save_layout(self) -> None:
+        """Remember where the panes are."""
+        self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
+
+    # --- gaps --------------------------------------------------------------------------------
+
+    def step_gap(self, step: int, *, same_marker: bool = False) -> None:
+        """Go to the next (1) or previous (-1) open gap."""
+        document, view = self.document, self.view
+        gaps = document.gaps
+        if same_marker and view.marker is not None:
+            gaps = document.gaps_of(view.marker)
+        ordered = in_time_order(gaps, document.original.frames)
+        here = view.gap
+        start, marker = (view.frame, -1) if here is None else (here.start, here.marker)
+        gap = neighbour(ordered, start, marker, step)
+        if gap is None:
+            self.message.emit(self.tr("No gap is left to go to."))
+        else:
+            view.go_to(gap)
+
+    def apply_preview(self) -> None:
+        """Make the previewed repair an undoable edit."""
+        preview = self.view.preview
+        if preview is None:
+            self.message.emit(self.tr("There is no preview to apply: choose a gap first (N)."))
+            return
+        if preview.patch is None:
+            self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
+            return
+        edit = Edit.fill(preview.patch, preview.method, preview.params)
+        label = self.document.original.labels[preview.gap.marker]
+        self._push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
+
+    def clear_fill(self) -> None:
+        """Turn the current gap's repair back into a gap."""
+        gap = self.view.gap
+        if gap is not None and gap in self.document.repairs:
+            label = self.document.original.labels[gap.marker]
+            self._push([Edit.clear(gap)], self.tr("clear the repair of {0}").format(label))
+        else:
+            self.message.emit(self.tr("There is no repair here."))
+
+    def fill_all(self) -> None:
+        """Fill every gap within the limits, in one undoable step."""
+        if self._filling is not None:
+            return
+        document = self.document
+        method, params = self.repair.method()
+        limits = Limits(max_gap=self.repair.max_gap(), max_error_mm=self.repair.max_error_mm())
+        gaps = [gap for gap in document.gaps if gap.length < document.original.frames]
+        job = self._jobs.compute(
+            self.tr("Fill all gaps"), engine.fill, document.share(), gaps, method, params, limits
+        )
+        revision = document.revision
+        job.finished.connect(lambda result: self._accept_all(revision, method, params, result))
+        job.failed.connect(self.failed)
+        job.cancelled.connect(lambda: self.message.emit(self.tr("Cancelled: nothing was filled.")))
+        job.ended.connect(self._end_filling)
+        self._filling = job
+
+    def _end_filling(self) -> None:
+        self._filling = None
+
+    def _accept_all(self, revision: int, method: str, params: object, result: FillResult) -> None:
+        if revision != self.document.revision:
+            self.message.emit(
+                self.tr("The recording was edited meanwhile: nothing was filled. Fill again.")
+            )
+            return
+        self._left_open = result.unfilled
+        filled, left = len(result.patches), len(result.unfilled)
+        if filled:
+            edits = [Edit.fill(patch, method, params) for patch in result.patches]
+            self._push(edits, self.tr("fill {0} gaps ({1})").format(filled, method))
+        text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
+        self.repair.show_outcome(text, open_gaps=bool(left))
+        self.message.emit(text)
+
+    def _show_left_open(self) -> None:
+        left_open_dialog(self, self.document.original, self._left_open).open()
+
+    def _push(self, edits: list[Edit], text: str) -> None:
+        self.document.undo_stack.push(EditSamples(self.document, edits, text))
+
+    def _show_first_gap(self) -> None:
+        """Begin at the longest gap within the limit, with the whole recording in view."""
+        original = self.document.original
+        ordered = in_time_order(self.document.gaps, original.frames)
+        within = [
+            gap
+            for gap in ordered
+            if gap.kind(original.frames) == "interior"
+            and gap.length <= self.repair.max_gap()
+            # Fragments of trajectories and frames without a body are no place to begin.
+            and original.present[:, gap.marker].mean() > 0.5
+            and original.present[gap.start].mean() > 0.5
+        ]
+        gap = max(within, key=lambda gap: gap.length, default=ordered[0] if ordered else None)
+        if gap is not None:
+            self.view.select((gap.marker,))
+            self.view.set_gap(gap)
+            self.view.set_frame((gap.start + gap.stop - 1) // 2)
+        elif original.markers:
+            self.view.select((0,))
+
+    def report_inputs(self) -> tuple[Any, ...]:
+        """Return what `engine.write_report` needs, as it is now."""
+        document = self.document
+        used = sorted({repair.method for repair in document.repairs.values()})
+        about = About(
+            file=document.source.path.name,
+            methods=tuple(METHODS[method].label for method in used),
+            warnings=document.source.warnings,
+        )
+        still_open = set(document.gaps)
+        unfilled = [entry for entry in self._left_open if entry.gap in still_open]
+        return (
+            document.original,
+            document.snapshot(),
+            document.skeleton,
+            document.repair_rows(),
+            unfilled,
+            about,
+        )
+
+    # --- time --------------------------------------------------------------------------------
+
+    def step_frames(self, frames: int) -> None:
+        """Move the playhead and keep it in view."""
+        self.go_to_frame(self.view.frame + frames)
+
+    def step_seconds(self, seconds: float) -> None:
+        """Move the playhead by a time."""
+        self.step_frames(round(seconds * self.document.original.rate))
+
+    def go_to_frame(self, frame: int) -> None:
+        """Put the playhead on a frame, counted from 0, and keep it in view."""
+        self.view.set_frame(frame)
+        start, stop = self.view.visible
+        if not start <= self.view.frame < stop:
+            self.view.pan(self.view.frame - (start + stop) / 2.0)
+
+    def zoom_time(self, factor: float) -> None:
+        """Scale the visible range around the playhead."""
+        self.view.zoom(factor, float(np.clip(self.view.frame, *self.view.visible)))
+
+    def zoom_all(self) -> None:
+        """Show the whole recording."""
+        self.view.set_visible(0.0, float(self.view.frames))
+
+    # --- arrangement -------------------------------------------------------------------------
+
+    def _arrange(self) -> None:
+        self.setDockNestingEnabled(True)
+        self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+        if self.document.original.markers == 0:
+            self.setCentralWidget(self._nothing_to_repair())
+            return
+        middle = QSplitter(Qt.Orientation.Horizontal)
+        middle.addWidget(self.scene)
+        middle.addWidget(self.trajectories)
+        middle.setSizes([420, 480])
+        middle.setChildrenCollapsible(False)
+        self.setCentralWidget(middle)
+        areas = Qt.DockWidgetArea
+        corners = Qt.Corner
+        self.setCorner(corners.BottomLeftCorner, areas.BottomDockWidgetArea)
+        self.setCorner(corners.BottomRightCorner, areas.BottomDockWidgetArea)
+        markers = self._dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
+        repair = self._dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        timeline = self._dock(
+            "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
+        )
+        report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
+        for tabbed in (timeline, report):
+            # The tab says the name already.
+            tabbed.setTitleBarWidget(QWidget())
+        self.tabifyDockWidget(timeline, report)
+        timeline.raise_()
+        self.resizeDocks([markers, repair], [230, 270], Qt.Orientation.Horizontal)
+        self.resizeDocks([timeline], [210], Qt.Orientation.Vertical)
+        self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
+
+    def _dock(
+        self, name: str, title: str, content: QWidget, area: Qt.DockWidgetArea
+    ) -> QDockWidget:
+        dock = QDockWidget(title)
+        dock.setObjectName(name)
+        dock.setWidget(content)
+        self.addDockWidget(area, dock)
+        return dock
+
+    def _nothing_to_repair(self) -> QLabel:
+        source = self.document.source
+        held = [self.tr("{0} events").format(len(source.events))] if source.events else []
+        if source.analog_labels:
+            held.append(self.tr("{0} analog channels").format(len(source.analog_labels)))
+        if source.model_outputs:
+            held.append(self.tr("{0} model outputs").format(len(source.model_outputs)))
+        label = QLabel(
+            self.tr(
+                "This file has no markers: there is nothing to repair.\n\nIt holds {0}."
+            ).format(", ".join(held) or self.tr("nothing that can be shown"))
+        )
+        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        label.setWordWrap(True)
+        return label

@@ -1,0 +1,126 @@
+"""What the user looks at: frame, selection, gap and preview. All views read it, none owns it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.contract import Patch
+
+
+@dataclass(frozen=True, eq=False)
+class Preview:
+    """A repair that is shown but not applied.
+
+    Attributes
+    ----------
+    gap : Gap
+        The gap that it is for.
+    method : str
+        Method id.
+    params : object
+        The method's parameter dataclass.
+    patch : Patch or None
+        The repair; None when the method leaves the gap open.
+    reason : str
+        Why the gap stays open; empty when it is filled.
+    note : dict
+        What the method says of itself, such as its number of self-tests.
+    """
+
+    gap: Gap
+    method: str
+    params: Any
+    patch: Patch | None
+    reason: str = ""
+    note: Mapping[str, Any] = field(default_factory=dict)
+
+
+class ViewState(QObject):
+    """The shared cursor of all views of a document."""
+
+    frame_changed = Signal(int)
+    selection_changed = Signal(tuple)
+    gap_changed = Signal(object)
+    preview_changed = Signal(object)
+    range_changed = Signal(float, float)
+
+    def __init__(self, frames: int, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.frames = frames
+        self.frame = 0
+        self.selection: tuple[int, ...] = ()
+        self.gap: Gap | None = None
+        self.preview: Preview | None = None
+        self.visible = (0.0, float(max(1, frames)))
+
+    @property
+    def marker(self) -> int | None:
+        """The current marker: the last one selected."""
+        return self.selection[-1] if self.selection else None
+
+    def set_frame(self, frame: int) -> None:
+        """Move the playhead; frames outside the recording go to its ends."""
+        frame = max(0, min(self.frames - 1, frame))
+        if frame != self.frame:
+            self.frame = frame
+            self.frame_changed.emit(frame)
+
+    def select(self, markers: tuple[int, ...]) -> None:
+        """Select markers, the current one last."""
+        if markers != self.selection:
+            self.selection = markers
+            self.selection_changed.emit(markers)
+
+    def toggle(self, marker: int) -> None:
+        """Add a marker to the selection, or take it out."""
+        rest = tuple(other for other in self.selection if other != marker)
+        self.select(rest if len(rest) < len(self.selection) else (*rest, marker))
+
+    def set_gap(self, gap: Gap | None) -> None:
+        """Make a gap the one that is worked on."""
+        if gap != self.gap:
+            self.gap = gap
+            self.set_preview(None)
+            self.gap_changed.emit(gap)
+
+    def go_to(self, gap: Gap) -> None:
+        """Show a gap: its marker selected, the playhead in its middle, its surroundings in view."""
+        if gap.marker != self.marker:
+            self.select((gap.marker,))
+        self.set_gap(gap)
+        self.set_frame((gap.start + gap.stop - 1) // 2)
+        self.frame_span(gap.start, gap.stop)
+
+    def frame_span(self, start: int, stop: int) -> None:
+        """Choose the visible range so that a run takes about a third of it."""
+        margin = max(stop - start, 15)
+        self.set_visible(start - margin, stop + margin)
+
+    def set_preview(self, preview: Preview | None) -> None:
+        """Show a repair without applying it, or none."""
+        if preview is not self.preview:
+            self.preview = preview
+            self.preview_changed.emit(preview)
+
+    def set_visible(self, start: float, stop: float) -> None:
+        """Choose the frames that the plots and the timeline show; kept inside the recording."""
+        whole = float(max(1, self.frames))
+        width = min(max(stop - start, 10.0), whole)
+        start = min(max(start, 0.0), whole - width)
+        visible = (start, start + width)
+        if visible != self.visible:
+            self.visible = visible
+            self.range_changed.emit(*visible)
+
+    def zoom(self, factor: float, centre: float) -> None:
+        """Scale the visible range around a frame: factors below 1 come closer."""
+        start, stop = self.visible
+        self.set_visible(centre - (centre - start) * factor, centre + (stop - centre) * factor)
+
+    def pan(self, frames: float) -> None:
+        """Move the visible range."""
+        start, stop = self.visible
+        self.set_visible(start + frames, stop + frames)

@@ -1,0 +1,131 @@
+"""Background work ends in exactly one of finished, failed and cancelled."""
+
+import os
+import signal
+import time
+from collections.abc import Callable
+from threading import Event
+
+import numpy as np
+import pytest
+from pytestqt.qtbot import QtBot
+
+from mocapmend.errors import MocapmendError
+from mocapmend.jobs import Job, Jobs
+from mocapmend.shared_recording import SharedRecording
+from mocapmend_algorithms import Progress, Recording
+
+
+def double(value: int, progress: Progress) -> int:
+    progress(0.5)
+    return 2 * value
+
+
+def refuse(progress: Progress) -> None:
+    raise MocapmendError("No.", "here", "Try something else.")
+
+
+def work_until_cancelled(progress: Progress) -> None:
+    for step in range(60_000):
+        progress(min(1.0, step / 1000.0))
+        time.sleep(0.001)
+
+
+def die(progress: Progress) -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def total(recording: Recording, progress: Progress) -> tuple[float, float, str]:
+    return float(np.nansum(recording.points)), recording.rate, recording.labels[0]
+
+
+def outcomes(job: Job) -> list[str]:
+    seen: list[str] = []
+    job.finished.connect(lambda _: seen.append("finished"))
+    job.failed.connect(lambda _: seen.append("failed"))
+    job.cancelled.connect(lambda: seen.append("cancelled"))
+    return seen
+
+
+@pytest.mark.parametrize("kind", ["compute", "read_or_write"])
+def test_a_job_delivers_its_result(jobs: Jobs, qtbot: QtBot, kind: str) -> None:
+    job = getattr(jobs, kind)("double", double, 21)
+    seen = outcomes(job)
+    with qtbot.waitSignal(job.ended, timeout=20_000), qtbot.waitSignal(job.finished) as finished:
+        pass
+    assert finished.args == [42]
+    assert seen == ["finished"]
+    assert jobs.running == 0
+
+
+@pytest.mark.parametrize("kind", ["compute", "read_or_write"])
+def test_an_error_travels_back_whole(jobs: Jobs, qtbot: QtBot, kind: str) -> None:
+    job = getattr(jobs, kind)("refuse", refuse)
+    seen = outcomes(job)
+    with qtbot.waitSignal(job.failed) as failed, qtbot.waitSignal(job.ended):
+        pass
+    error = failed.args[0]
+    assert isinstance(error, MocapmendError)
+    assert (error.what, error.where, error.todo) == ("No.", "here", "Try something else.")
+    assert seen == ["failed"]
+
+
+@pytest.mark.parametrize("kind", ["compute", "read_or_write"])
+def test_a_running_job_reports_and_can_be_cancelled(jobs: Jobs, qtbot: QtBot, kind: str) -> None:
+    job = getattr(jobs, kind)("long", work_until_cancelled)
+    seen = outcomes(job)
+    with qtbot.waitSignal(job.progressed, check_params_cb=lambda share: share > 0, timeout=20_000):
+        pass
+    with qtbot.waitSignals([job.cancelled, job.ended]):
+        job.cancel()
+    assert seen == ["cancelled"]
+
+
+def test_a_waiting_job_can_be_cancelled(jobs: Jobs, qtbot: QtBot) -> None:
+    release = Event()
+
+    def wait(progress: Callable[[float], None]) -> None:
+        release.wait(20)
+
+    busy = [jobs.read_or_write("busy", wait) for _ in range(2)]
+    waiting = jobs.read_or_write("waiting", double, 1)
+    seen = outcomes(waiting)
+    with qtbot.waitSignal(waiting.cancelled):
+        waiting.cancel()
+    with qtbot.waitSignals([job.ended for job in busy]):
+        release.set()
+    assert seen == ["cancelled"]
+
+
+def test_a_worker_that_dies_fails_its_job_and_is_replaced(jobs: Jobs, qtbot: QtBot) -> None:
+    job = jobs.compute("die", die)
+    with qtbot.waitSignal(job.failed, timeout=20_000) as failed:
+        pass
+    assert isinstance(failed.args[0], MocapmendError)
+    again = jobs.compute("double", double, 4)
+    with qtbot.waitSignal(again.finished, timeout=20_000) as finished:
+        pass
+    assert finished.args == [8]
+
+
+def test_a_recording_reaches_the_worker_through_shared_memory(jobs: Jobs, qtbot: QtBot) -> None:
+    points = np.arange(60.0).reshape(5, 4, 3)
+    points[2, 1] = np.nan
+    recording = Recording(points, ("A", "B", "C", "D"), 120.0)
+    job = jobs.compute("total", total, SharedRecording(recording, 0))
+    with qtbot.waitSignal(job.finished, timeout=20_000) as finished:
+        pass
+    assert finished.args[0] == (np.nansum(points), 120.0, "A")
+
+
+def test_more_jobs_than_slots_is_a_clear_error(jobs: Jobs, qtbot: QtBot) -> None:
+    release = Event()
+
+    def wait(progress: Callable[[float], None]) -> None:
+        release.wait(20)
+
+    started = [jobs.read_or_write("wait", wait) for _ in range(32)]
+    with pytest.raises(MocapmendError, match="Too many"):
+        jobs.read_or_write("one more", wait)
+    with qtbot.waitSignals([job.ended for job in started], timeout=20_000):
+        release.set()

@@ -1,0 +1,273 @@
+"""The main job in the window, by keyboard and by mouse, on a real recording."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QTableWidget
+from pytestqt.qtbot import QtBot
+
+from mocapmend.files import check_files, read_c3d
+from mocapmend.settings import RECENT_FILES
+from mocapmend.state import SampleState
+from mocapmend.views.main_window import MainWindow
+from mocapmend.views.timeline import GUTTER
+from mocapmend.views.workspace import Workspace
+
+Open = Callable[[Path], MainWindow]
+
+
+@pytest.fixture
+def opened(open_in: Open, sprint: Path) -> MainWindow:
+    """Return the window with the sprint recording."""
+    return open_in(sprint)
+
+
+def workspace_of(window: MainWindow) -> Workspace:
+    assert window.workspace is not None
+    return window.workspace
+
+
+def wait_for_preview(qtbot: QtBot, workspace: Workspace) -> None:
+    qtbot.waitUntil(lambda: workspace.view.preview is not None, timeout=20_000)
+
+
+def test_the_whole_job_by_keyboard(
+    opened: MainWindow, qtbot: QtBot, tmp_path: Path, sprint: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workspace = workspace_of(opened)
+    document, view = workspace.document, workspace.view
+    first = view.gap
+    assert first is not None
+    assert first.kind(view.frames) == "interior"
+    wait_for_preview(qtbot, workspace)
+    before = document.points.copy()
+
+    qtbot.keyClick(opened, Qt.Key.Key_N)
+    gap = view.gap
+    assert gap is not None
+    assert gap != first
+    assert gap.start <= view.frame < gap.stop
+    assert view.marker == gap.marker
+    wait_for_preview(qtbot, workspace)
+    qtbot.keyClick(opened, Qt.Key.Key_P)
+    assert view.gap == first
+    wait_for_preview(qtbot, workspace)
+    assert document.points.tobytes() == before.tobytes(), "a preview changes nothing"
+
+    method = workspace.repair.method()[0]
+    qtbot.keyClick(opened, Qt.Key.Key_M)
+    assert workspace.repair.method()[0] != method
+    qtbot.waitUntil(
+        lambda: view.preview is not None and view.preview.method == workspace.repair.method()[0],
+        timeout=20_000,
+    )
+    qtbot.keyClick(opened, Qt.Key.Key_Return)
+    assert first in document.repairs
+    assert opened.isWindowModified()
+    assert np.isfinite(document.points[first.start : first.stop, first.marker]).all()
+
+    qtbot.keyClick(opened, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert document.points.tobytes() == before.tobytes()
+    assert not opened.isWindowModified()
+    qtbot.keyClick(
+        opened,
+        Qt.Key.Key_Z,
+        Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier,
+    )
+    assert first in document.repairs
+
+    out = tmp_path / "repaired.c3d"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    qtbot.keyClick(opened, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: not opened.isWindowModified(), timeout=20_000)
+    report = check_files(sprint, out)
+    assert report.passed
+    assert report.changed_samples == first.length
+    repaired = read_c3d(out).recording.points
+    assert np.allclose(repaired, document.points, atol=1e-3, equal_nan=True)
+
+
+def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    document = workspace.document
+    before = document.points.copy()
+    gaps = document.gaps
+    qtbot.keyClick(opened, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
+    frames = workspace.repair.max_gap()
+    assert frames == 24
+    filled = set(gaps) - set(document.gaps)
+    assert filled
+    assert all(gap.length <= frames for gap in filled)
+    assert all(gap in document.repairs for gap in filled)
+    assert workspace.repair.left_open.isVisibleTo(workspace.repair)
+    qtbot.mouseClick(workspace.repair.left_open, Qt.MouseButton.LeftButton)
+    tables = [table for table in workspace.findChildren(QTableWidget) if table.rowCount()]
+    longer = [gap for gap in gaps if gap not in filled and gap.length < document.original.frames]
+    assert any(table.rowCount() == len(longer) for table in tables)
+    document.undo_stack.undo()
+    assert document.points.tobytes() == before.tobytes()
+    assert document.undo_stack.count() == 1
+
+
+def test_the_limit_is_shown_in_ms_too(opened: MainWindow) -> None:
+    spin = workspace_of(opened).repair._max_gap
+    spin.setValue(33)
+    assert spin.text() == "33 frames (275 ms)"
+
+
+def test_a_click_on_the_timeline_scrubs_and_selects(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    timeline, view = workspace.timeline, workspace.view
+    gap = next(g for g in workspace.document.gaps if 10 < g.length < 100 and g.marker > 3)
+    y = timeline.lane_top(gap.marker) + 2
+    x = round(timeline.x_of((gap.start + gap.stop) / 2))
+    qtbot.mouseClick(timeline.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    assert view.marker == gap.marker
+    assert view.gap == gap
+    assert gap.start <= view.frame < gap.stop
+
+
+def test_dragging_on_the_timeline_scrubs(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    viewport = workspace.timeline.viewport()
+    qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(GUTTER + 5, 10))
+    qtbot.mouseMove(viewport, QPoint(GUTTER + 200, 10))
+    qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(GUTTER + 200, 10))
+    assert workspace.view.frame == int(workspace.timeline.frame_at(GUTTER + 200))
+
+
+def test_a_click_in_3d_picks_the_marker_under_it(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    scene, view = workspace.scene, workspace.view
+    pixels = scene._project(scene._current_points())
+    alone = next(
+        marker
+        for marker in range(len(pixels))
+        if np.isfinite(pixels[marker, 0])
+        and scene.rect().adjusted(20, 20, -20, -20).contains(QPointF(*pixels[marker]).toPoint())
+        and np.nanmin(np.hypot(*(np.delete(pixels, marker, axis=0) - pixels[marker]).T)) > 6
+    )
+    place = QPointF(*pixels[alone]).toPoint()
+    qtbot.mouseClick(scene, Qt.MouseButton.LeftButton, pos=place)
+    assert view.selection == (alone,)
+    corner = QPoint(scene.width() - 2, 2)
+    qtbot.mouseClick(scene, Qt.MouseButton.LeftButton, pos=corner)
+    assert view.selection == ()
+
+
+def test_selecting_in_the_list_selects_everywhere(opened: MainWindow) -> None:
+    workspace = workspace_of(opened)
+    workspace.markers.table.selectRow(5)
+    assert workspace.view.selection == (5,)
+    workspace.view.select((7,))
+    rows = workspace.markers.table.selectionModel().selectedRows()
+    assert [row.row() for row in rows] == [7]
+    assert len(workspace.trajectories.lanes()) == 3
+
+
+def test_playing_reaches_the_end_and_stops(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    workspace.player.set_speed(4.0)
+    workspace.view.set_frame(workspace.view.frames - 60)
+    qtbot.keyClick(opened, Qt.Key.Key_Space)
+    assert workspace.player.playing
+    qtbot.waitUntil(lambda: not workspace.player.playing, timeout=20_000)
+    assert workspace.view.frame == workspace.view.frames - 1
+
+
+def test_the_report_shows_before_and_after(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    pane = workspace.report
+    qtbot.waitUntil(lambda: pane.report is not None, timeout=20_000)
+    first = pane.report
+    assert first is not None
+    assert np.array_equal(first.success_before.instantaneous, first.success_after.instantaneous)
+    workspace.fill_all()
+    qtbot.waitUntil(lambda: pane.report is not first and pane.report is not None, timeout=20_000)
+    second = pane.report
+    assert second is not None
+    assert second.success_after.running_mean[-1] > second.success_before.running_mean[-1]
+    assert pane._table.rowCount() == len(second.bones)
+
+
+def test_a_repair_can_be_turned_back_into_a_gap(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    gap = workspace.view.gap
+    assert gap is not None
+    wait_for_preview(qtbot, workspace)
+    qtbot.keyClick(opened, Qt.Key.Key_Return)
+    assert gap not in workspace.document.gaps
+    qtbot.keyClick(opened, Qt.Key.Key_Delete)
+    assert gap in workspace.document.gaps
+    assert workspace.document.undo_stack.count() == 2
+
+
+def test_a_dropped_file_is_opened(window: MainWindow, qtbot: QtBot, sprint: Path) -> None:
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(sprint))])
+    window.dropEvent(
+        QDropEvent(
+            QPointF(10, 10),
+            Qt.DropAction.CopyAction,
+            data,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+    )
+    qtbot.waitUntil(lambda: window.workspace is not None, timeout=20_000)
+    assert str(sprint.resolve()) in window.settings.get(RECENT_FILES)
+
+
+def test_unsaved_repairs_are_guarded(
+    opened: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workspace = workspace_of(opened)
+    wait_for_preview(qtbot, workspace)
+    workspace.apply_preview()
+    asked: list[str] = []
+
+    def answer(*_args: object) -> QMessageBox.StandardButton:
+        asked.append("asked")
+        return QMessageBox.StandardButton.Cancel
+
+    monkeypatch.setattr(QMessageBox, "question", answer)
+    opened.close()
+    assert asked == ["asked"]
+    assert opened.isVisible()
+    opened.close_file()
+    assert opened.workspace is workspace
+
+
+def test_the_original_is_replaced_only_after_a_yes(
+    open_in: Open, qtbot: QtBot, sprint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    copy = tmp_path / "copy.c3d"
+    copy.write_bytes(sprint.read_bytes())
+    window = open_in(copy)
+    workspace = workspace_of(window)
+    wait_for_preview(qtbot, workspace)
+    workspace.apply_preview()
+    monkeypatch.setattr(window, "_confirm", lambda *_: False)
+    window.export_to(copy)
+    assert copy.read_bytes() == sprint.read_bytes()
+    monkeypatch.setattr(window, "_confirm", lambda *_: True)
+    window.export_to(copy)
+    qtbot.waitUntil(lambda: window.workspace is not workspace, timeout=20_000)
+    assert check_files(sprint, copy).passed
+    assert copy.read_bytes() != sprint.read_bytes()
+
+
+def test_a_filled_sample_is_told_from_a_measured_one(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    gap = workspace.view.gap
+    assert gap is not None
+    wait_for_preview(qtbot, workspace)
+    workspace.apply_preview()
+    inside = workspace.document.state[gap.start : gap.stop, gap.marker]
+    assert (inside == SampleState.FILLED).all()
+    assert len(workspace.document.runs(gap.marker, SampleState.FILLED)) == 1
