@@ -59,7 +59,11 @@ def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, .
 
 
 class Job(QObject):
-    """One piece of work; ends with exactly one of finished, failed and cancelled."""
+    """One piece of work.
+
+    It ends with exactly one of finished, failed and cancelled, then ended; when it was abandoned
+    with ended alone.
+    """
 
     progressed = Signal(float)
     finished = Signal(object)
@@ -75,6 +79,7 @@ class Job(QObject):
         self._board = board
         self._future: Future[Any] | None = None
         self._held: tuple[Any, ...] = ()
+        self._abandoned = False
         # Queued: a future settles on a thread of its pool, or before the caller could connect.
         self._settled.connect(self._conclude, Qt.ConnectionType.QueuedConnection)
 
@@ -90,14 +95,24 @@ class Job(QObject):
         if self._future is not None:
             self._future.cancel()
 
+    def abandon(self) -> None:
+        """Cancel for one who has gone, or has asked for something else: no outcome is told."""
+        self._abandoned = True
+        self.cancel()
+
     def poll(self) -> None:
         """Pass the worker's progress on."""
         self.progressed.emit(self._board.progress[self.slot])
 
     def _conclude(self) -> None:
+        self._held = ()
+        if not self._abandoned:
+            self._tell_outcome()
+        self.ended.emit()
+
+    def _tell_outcome(self) -> None:
         assert self._future is not None
         asked_to_stop = bool(self._board.cancel[self.slot])
-        self._held = ()
         try:
             result = self._future.result()
         except (Cancelled, CancelledError):
@@ -113,7 +128,6 @@ class Job(QObject):
                 self.cancelled.emit()
             else:
                 self.finished.emit(result)
-        self.ended.emit()
 
 
 class Jobs(QObject):

@@ -97,6 +97,17 @@ def test_a_waiting_job_can_be_cancelled(jobs: Jobs, qtbot: QtBot) -> None:
     assert seen == ["cancelled"]
 
 
+def test_an_abandoned_job_ends_in_silence(jobs: Jobs, qtbot: QtBot) -> None:
+    job = jobs.compute("long", work_until_cancelled)
+    seen = outcomes(job)
+    with qtbot.waitSignal(job.progressed, check_params_cb=lambda share: share > 0, timeout=20_000):
+        pass
+    with qtbot.waitSignal(job.ended):
+        job.abandon()
+    assert seen == []
+    assert jobs.running == 0
+
+
 def test_a_worker_that_dies_fails_its_job_and_is_replaced(jobs: Jobs, qtbot: QtBot) -> None:
     job = jobs.compute("die", die)
     with qtbot.waitSignal(job.failed, timeout=20_000) as failed:

@@ -160,9 +160,11 @@ def test_a_click_in_3d_picks_the_marker_under_it(opened: MainWindow, qtbot: QtBo
     assert view.selection == ()
 
 
-def test_selecting_in_the_list_selects_everywhere(opened: MainWindow) -> None:
+def test_selecting_in_the_list_selects_everywhere(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
-    workspace.markers.table.selectRow(5)
+    table = workspace.markers.table
+    row = table.visualRect(table.model().index(5, 0)).center()
+    qtbot.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=row)
     assert workspace.view.selection == (5,)
     workspace.view.select((7,))
     rows = workspace.markers.table.selectionModel().selectedRows()

@@ -45,7 +45,7 @@ class Previewer(QObject):
         """Give up what is being computed: the document is going away."""
         self._timer.stop()
         if self._job is not None:
-            self._job.cancel()
+            self._job.abandon()
             self._job = None
 
     def _refresh(self) -> None:
@@ -63,13 +63,11 @@ class Previewer(QObject):
         job = self._jobs.compute(
             self.tr("Preview"), engine.fill_gap, self._document.share(), gap, method, params
         )
-        job.finished.connect(lambda result: self._show(job, gap, method, params, result))
+        job.finished.connect(lambda result: self._show(gap, method, params, result))
         job.failed.connect(self.failed)
         self._job = job
 
-    def _show(self, job: Job, gap: Gap, method: str, params: object, result: FillResult) -> None:
-        if job is not self._job:
-            return
+    def _show(self, gap: Gap, method: str, params: object, result: FillResult) -> None:
         self._job = None
         if result.patches:
             preview = Preview(

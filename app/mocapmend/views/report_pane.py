@@ -87,7 +87,7 @@ class ReportPane(QWidget):
         """Give up what is being computed: it is out of date, or the document is going away."""
         self._timer.stop()
         if self._job is not None:
-            self._job.cancel()
+            self._job.abandon()
             self._job = None
 
     def _compute(self) -> None:
@@ -100,13 +100,11 @@ class ReportPane(QWidget):
             document.share(),
             document.skeleton,
         )
-        job.finished.connect(lambda result: self._show(job, result))
+        job.finished.connect(self._show)
         job.failed.connect(self.failed)
         self._job = job
 
-    def _show(self, job: Job, result: Report) -> None:
-        if job is not self._job:
-            return
+    def _show(self, result: Report) -> None:
         self._job = None
         self.report = result
         self._fill_table()

@@ -92,7 +92,7 @@ class Workspace(QMainWindow):
         self.previewer.stop()
         self.report.stop()
         if self._filling is not None:
-            self._filling.cancel()
+            self._filling.abandon()
 
     def save_layout(self) -> None:
         """Remember where the panes are."""

@@ -1,0 +1,33 @@
+"""Start-up stays light, and the benchmark command prints its tables."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from mocapmend.bench import main
+
+HEAVY = ("scipy.interpolate", "scipy.signal", "scipy.optimize", "scipy.linalg", "c3d", "jinja2")
+
+
+def test_the_window_starts_without_what_it_needs_later() -> None:
+    code = (
+        "import sys, mocapmend.views.application; "
+        f"print([name for name in {HEAVY!r} if name in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("bench", ["io", "gui"])
+def test_a_benchmark_prints_its_table(
+    bench: str, capsys: pytest.CaptureFixture[str], qtbot: QtBot
+) -> None:
+    assert main([bench, "--frames", "3000", "--runs", "1", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["schema"] == 1
+    assert document["command"] == f"bench {bench}"
+    assert all(row["figure"] > 0 for row in document["rows"])
+    assert any(row["ratio"] is not None and row["target"] for row in document["rows"])
