@@ -18,7 +18,7 @@ from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.c3d_parameters import Parameters, parse_parameters
 
 MAGIC = 0x50
-LONGEST_SECTION = 1 << 20
+LONGEST_SECTION = 1 << 18
 ANOTHER_FILE = "Choose another file, or export it again from the program that made it."
 
 

@@ -121,7 +121,10 @@ def _spread(recording: Recording, bones: IntArray) -> FloatArray:
     count, total, square = np.zeros((3, len(bones)))
     origin = np.full(len(bones), np.nan)
     for rows in _chunks(recording.frames if len(bones) else 0):
-        lengths = bone_lengths(recording.points[rows], bones)
+        # As `bone_lengths`, but twice as fast: this is most of the report's time.
+        along = np.take(recording.points[rows], bones[:, 0], axis=1)
+        along -= np.take(recording.points[rows], bones[:, 1], axis=1)
+        lengths = np.sqrt(np.einsum("tbk,tbk->tb", along, along))
         known = ~np.isnan(lengths)
         new = np.isnan(origin) & known.any(axis=0)
         if new.any():
