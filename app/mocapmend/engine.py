@@ -27,11 +27,6 @@ from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_from_distances
 from mocapmend_resources import skeletons
 
-ORIGINAL_GONE = (
-    "The original was replaced, so no second program can compare the two: the copy was compared "
-    "with it, byte by byte, before it took its place."
-)
-
 
 def load(path: Path, progress: Progress) -> tuple[C3DFile, Skeleton]:
     """Read a file and find its skeleton.
@@ -100,14 +95,18 @@ class Exported:
         What was written.
     second_reader : str
         What an independent C3D library makes of the file, as a sentence.
-    check : CheckReport or None
-        The comparison with the original, passed. None where the original was replaced: the proof
-        is then the comparison of the copy with it before the copy took its place.
+    check : CheckReport
+        The comparison with the original, passed.
     """
 
     saved: Saved
     second_reader: str
-    check: CheckReport | None
+    check: CheckReport
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The proofs and what else there is to know, for reports."""
+        return (self.check.sentence, self.second_reader, *self.saved.notes)
 
 
 def export(
@@ -120,6 +119,8 @@ def export(
 ) -> Exported:
     """Write the repaired copy of a file and prove that only the repairs differ.
 
+    The proofs come before the copy gets its name: what was there stays until they have passed.
+
     Parameters
     ----------
     source : C3DFile
@@ -131,36 +132,39 @@ def export(
     replace_source, accept_truncated : bool
         See `save_patched`.
     progress : Progress
-        Called often; may cancel until the file is written.
+        Called often; may cancel.
 
     Raises
     ------
     MocapmendError
-        If it cannot be written, or if a proof fails. Then no file is left.
+        If it cannot be written, or if a proof fails. Then nothing has changed.
     """
-    saved = save_patched(
-        source,
-        runs,
-        out,
-        replace_source=replace_source,
-        accept_truncated=accept_truncated,
-        progress=progress,
-    )
-    if replace_source:
-        return Exported(saved, ORIGINAL_GONE, None)
-    try:
-        second_reader = confirm_with_c3d(source.path, out, source, runs)
-        check = check_files(source.path, out)
+    proofs: list[tuple[str, CheckReport]] = []
+
+    def prove(copy: Path) -> None:
+        sentence = confirm_with_c3d(
+            source.path, copy, source, runs, lambda share: progress(0.3 + 0.6 * share)
+        )
+        check = check_files(source.path, copy)
         if not check.passed:
             raise MocapmendError(
                 f"The written file is wrong and was removed: {check.other_differences[0]}",
                 str(out),
                 "Please report this.",
             )
-    except BaseException:
-        out.unlink(missing_ok=True)
-        raise
-    return Exported(saved, second_reader, check)
+        proofs.append((sentence, check))
+
+    saved = save_patched(
+        source,
+        runs,
+        out,
+        replace_source=replace_source,
+        accept_truncated=accept_truncated,
+        progress=lambda share: progress(0.3 * share),
+        confirm=prove,
+    )
+    progress(1.0)
+    return Exported(saved, *proofs[0])
 
 
 def write_report(

@@ -4,11 +4,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from mocapmend.engine import load
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
 from mocapmend.document import Document
+from mocapmend.engine import load
 from mocapmend.jobs import Jobs
 from mocapmend.settings import Settings
 from mocapmend.views.main_window import MainWindow
@@ -57,7 +57,7 @@ def window(
     made.show()
     qtbot.waitExposed(made)
     yield made
-    monkeypatch.setattr(made, "_after_saving", lambda then: then())
+    monkeypatch.setattr(made.files, "after_saving", lambda then: then())
     if made.workspace is not None:
         made.workspace.document.undo_stack.setClean()
     made.close()
@@ -70,7 +70,7 @@ def open_in(qtbot: QtBot, window: MainWindow) -> Callable[[Path], MainWindow]:
 
     def open_file(path: Path) -> MainWindow:
         before = window.workspace
-        window.open_path(path)
+        window.files.open(path)
         qtbot.waitUntil(lambda: window.workspace is not None and window.workspace is not before)
         return window
 

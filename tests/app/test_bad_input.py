@@ -42,7 +42,7 @@ def test_a_bad_file_leaves_the_open_document_alone(
 ) -> None:
     window = open_in(sprint)
     workspace = window.workspace
-    window.open_path(bad)
+    window.files.open(bad)
     box = shown_error(window, qtbot)
     assert box.text()
     assert bad.name in box.informativeText()
@@ -63,12 +63,12 @@ def test_a_truncated_file_opens_and_is_saved_only_after_a_yes(
     assert workspace.document.source.truncated
     assert window.notes.isVisible()
     out = tmp_path / "out.c3d"
-    monkeypatch.setattr(window, "_confirm", lambda *_: False)
-    window.export_to(out)
+    monkeypatch.setattr(window.files, "_confirm", lambda *_: False)
+    window.files.export(out)
     assert window.jobs.running <= 1
     assert not out.exists()
-    monkeypatch.setattr(window, "_confirm", lambda *_: True)
-    window.export_to(out)
+    monkeypatch.setattr(window.files, "_confirm", lambda *_: True)
+    window.files.export(out)
     qtbot.waitUntil(out.exists, timeout=20_000)
 
 
@@ -93,7 +93,7 @@ def test_a_failed_export_says_why_and_loses_nothing(
     assert workspace is not None
     qtbot.waitUntil(lambda: workspace.view.preview is not None, timeout=20_000)
     workspace.apply_preview()
-    window.export_to(tmp_path / "no such folder" / "out.c3d")
+    window.files.export(tmp_path / "no such folder" / "out.c3d")
     box = shown_error(window, qtbot)
     assert box.informativeText()
     box.close()

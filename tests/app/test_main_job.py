@@ -241,7 +241,7 @@ def test_unsaved_repairs_are_guarded(
     opened.close()
     assert asked == ["asked"]
     assert opened.isVisible()
-    opened.close_file()
+    opened.files.close()
     assert opened.workspace is workspace
 
 
@@ -254,11 +254,11 @@ def test_the_original_is_replaced_only_after_a_yes(
     workspace = workspace_of(window)
     wait_for_preview(qtbot, workspace)
     workspace.apply_preview()
-    monkeypatch.setattr(window, "_confirm", lambda *_: False)
-    window.export_to(copy)
+    monkeypatch.setattr(window.files, "_confirm", lambda *_: False)
+    window.files.export(copy)
     assert copy.read_bytes() == sprint.read_bytes()
-    monkeypatch.setattr(window, "_confirm", lambda *_: True)
-    window.export_to(copy)
+    monkeypatch.setattr(window.files, "_confirm", lambda *_: True)
+    window.files.export(copy)
     qtbot.waitUntil(lambda: window.workspace is not workspace, timeout=20_000)
     assert check_files(sprint, copy).passed
     assert copy.read_bytes() != sprint.read_bytes()

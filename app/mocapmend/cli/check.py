@@ -33,7 +33,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
                 for run in found.changed
             ],
         )
-    console.say(sentence(found))
+    console.say(found.sentence)
     if not found.passed:
         console.warn(f"{arguments.repaired}: the check failed:")
         for difference in found.other_differences:
@@ -50,14 +50,3 @@ def as_json(found: CheckReport) -> dict[str, object]:
         "changed": [asdict(run) for run in found.changed],
         "other_differences": list(found.other_differences),
     }
-
-
-def sentence(found: CheckReport) -> str:
-    """Say in one sentence what a comparison found."""
-    if found.identical:
-        return "The files are the same, byte for byte."
-    samples = common.count(found.changed_samples, "marker sample")
-    if found.passed:
-        return f"Check passed: {samples} changed; all else is the same, byte for byte."
-    others = common.count(len(found.other_differences), "other difference")
-    return f"Check failed: {samples} changed, and there is more: {others}."

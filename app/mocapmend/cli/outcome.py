@@ -42,13 +42,12 @@ class Outcome:
     @property
     def about(self) -> About:
         """The head of the report."""
-        proof = [check.sentence(self.exported.check)] if self.exported.check else []
         return About(
             file=self.source.path.name,
             methods=(self._method_text(),),
             limits=self._limits_text(),
             warnings=self.source.warnings,
-            proof=(*proof, self.exported.second_reader, *self.exported.saved.notes),
+            proof=self.exported.sentences,
         )
 
     # --- JSON --------------------------------------------------------------------------------
@@ -80,7 +79,7 @@ class Outcome:
             },
             "notes": list(self.exported.saved.notes),
             "second_reader": self.exported.second_reader,
-            "check": None if proof is None else check.as_json(proof),
+            "check": check.as_json(proof),
         }
 
     def _gaps(self, *, samples: bool) -> list[dict[str, Any]]:
@@ -127,7 +126,7 @@ class Outcome:
             f"Filled:   {len(self.repairs)} of {common.count(total, 'gap')}, "
             f"{common.count(saved.samples, 'sample')}{self._worst()}"
         )
-        for note in (*([check.sentence(proof)] if proof else []), self.exported.second_reader):
+        for note in (proof.sentence, self.exported.second_reader):
             console.say(note)
         for note in saved.notes:
             console.warn(note)

@@ -53,6 +53,7 @@ def save_patched(
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
+    confirm: Callable[[Path], None] | None = None,
 ) -> Saved:
     """Save a copy of a file in which only the given samples differ.
 
@@ -73,6 +74,8 @@ def save_patched(
         Whether a source that is truncated may be saved.
     progress : Progress
         Called often; may cancel.
+    confirm : callable, optional
+        Called with the finished copy before it gets its name; what it raises prevents that.
 
     Returns
     -------
@@ -94,10 +97,16 @@ def save_patched(
     out = Path(out)
     _check_target(source, out, replace_source=replace_source)
     slots = encode_runs(source, runs)
+
+    def verify(copy: Path) -> None:
+        _verify(source, slots, copy, lambda share: progress(0.5 + 0.5 * share))
+        if confirm is not None:
+            confirm(copy)
+
     write_atomically(
         out,
         lambda stream: _write(source, slots, stream, lambda share: progress(0.5 * share)),
-        lambda path: _verify(source, slots, path, lambda share: progress(0.5 + 0.5 * share)),
+        verify,
     )
     return Saved(out, len(slots), slots.notes)
 

@@ -69,6 +69,18 @@ class CheckReport:
         """Whether nothing but marker samples differs."""
         return not self.other_differences
 
+    @property
+    def sentence(self) -> str:
+        """The finding in one sentence."""
+        if self.identical:
+            return "The files are the same, byte for byte."
+        samples = f"{self.changed_samples} marker sample" + "s" * (self.changed_samples != 1)
+        if self.passed:
+            return f"Check passed: {samples} changed; all else is the same, byte for byte."
+        others = len(self.other_differences)
+        more = f"{others} other difference" + "s" * (others != 1)
+        return f"Check failed: {samples} changed, and there is more: {more}."
+
 
 class _Findings:
     """What differs, collected piece by piece."""

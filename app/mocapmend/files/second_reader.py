@@ -15,6 +15,7 @@ from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_reader import C3DFile
+from mocapmend_algorithms.progress import Progress, no_progress
 
 REFUSALS = (
     ArithmeticError,
@@ -58,7 +59,11 @@ class _RefusedError(Exception):
 
 @np.errstate(all="ignore")
 def confirm_with_c3d(
-    original: Path, saved: Path, source: C3DFile, runs: Sequence[SampleRun]
+    original: Path,
+    saved: Path,
+    source: C3DFile,
+    runs: Sequence[SampleRun],
+    progress: Progress = no_progress,
 ) -> str:
     """Read both files with the c3d library and compare them frame by frame.
 
@@ -70,6 +75,8 @@ def confirm_with_c3d(
         The original as our own reader read it.
     runs : sequence of SampleRun
         What was written.
+    progress : Progress
+        Called often; may cancel.
 
     Returns
     -------
@@ -103,6 +110,7 @@ def confirm_with_c3d(
                 raise _contradiction(saved, "it reads another number of frames")
             _compare(expected, read, slots, layout, saved)
             count += len(read.points)
+            progress(min(1.0, count / max(1, layout.frames)))
     samples = int(np.count_nonzero(slots.frames < count))
     return (
         f"The c3d library read {count} frames of both files: {samples} of {len(slots)} written "

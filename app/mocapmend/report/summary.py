@@ -75,7 +75,7 @@ def summarise(
         success_before=success_curves(tracked(before), counted=counted),
         success_after=success_curves(tracked(after), counted=counted),
         bones=tuple(skeleton.bones),
-        bone_names=tuple(f"{before.labels[a]} – {before.labels[b]}" for a, b in skeleton.bones),
+        bone_names=tuple(_bone_name(before.labels[a], before.labels[b]) for a, b in skeleton.bones),
         spread_before=spread_before,
         spread_after=spread_after,
         bone_repairs=repaired,
@@ -90,6 +90,12 @@ def summarise(
     )
     progress(1.0)
     return report
+
+
+def _bone_name(one: str, other: str) -> str:
+    """Name a bone by its ends; what they share before a colon is said once."""
+    subject, colon, _ = one.partition(":")
+    return f"{one} – {other.removeprefix(subject + colon) if colon else other}"
 
 
 def _chunks(frames: int) -> Iterator[slice]:

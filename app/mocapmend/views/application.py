@@ -40,6 +40,6 @@ def run(paths: Sequence[Path]) -> int:
     sys.excepthook = show_unexpected
     window.show()
     if paths:
-        window.open_path(paths[0])
+        window.files.open(paths[0])
     QTimer.singleShot(0, window.jobs.warm_up)
     return app.exec()

@@ -1,4 +1,4 @@
-"""The window: menus, files and what the user is asked; the workspace shows the document."""
+"""The window: menus, toolbar and status bar around the workspace that shows the document."""
 
 import logging
 from collections.abc import Callable
@@ -14,7 +14,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QApplication,
-    QFileDialog,
     QLabel,
     QMainWindow,
     QMenu,
@@ -22,7 +21,7 @@ from PySide6.QtWidgets import (
     QStackedWidget,
 )
 
-from mocapmend import __version__, engine, theme
+from mocapmend import __version__, theme
 from mocapmend.actions import ACTIONS, MENUS, make_actions
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
@@ -31,13 +30,13 @@ from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
 from mocapmend.settings import (
     GEOMETRY,
-    LAST_FOLDER,
     RECENT_FILES,
     THEME,
     Settings,
 )
 from mocapmend.theme import DARK, LIGHT, THEMES, Theme
 from mocapmend.views.dialogs import environment, error_box, shortcuts_dialog
+from mocapmend.views.file_actions import FileActions
 from mocapmend.views.icons import icon, program_icon
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend.views.keys import KeyGuard
@@ -72,13 +71,19 @@ class MainWindow(QMainWindow):
         self.theme: Theme = THEMES.get(settings.get(THEME), DARK)
         self.actions_by_id = dict(make_actions(self))
         self._keys = KeyGuard(self)
-        self._loading = False
+        self.files = FileActions(self)
+        self._switches: dict[str, Callable[[Workspace, bool], None]] = {
+            "follow": lambda w, on: w.scene.set_follow(on),
+            "labels": lambda w, on: w.scene.set_labels(on),
+            "trails": lambda w, on: w.scene.set_trails(on),
+            "separate": lambda w, on: w.trajectories.set_separate(on),
+        }
         self.setWindowIcon(program_icon())
         self.setAcceptDrops(True)
         self.resize(QSize(1280, 800).boundedTo(self.screen().availableSize()))
         self.welcome = Welcome(sample_recordings())
-        self.welcome.chosen.connect(self.open_path)
-        self.welcome.browse.connect(self.ask_and_open)
+        self.welcome.chosen.connect(self.files.open)
+        self.welcome.browse.connect(self.files.ask_and_open)
         self.stack = QStackedWidget()
         self.stack.addWidget(self.welcome)
         self.setCentralWidget(self.stack)
@@ -137,10 +142,10 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         plain: dict[str, Callable[[], object]] = {
-            "open": self.ask_and_open,
-            "export": self.export,
-            "save_report": self.save_report,
-            "close": self.close_file,
+            "open": self.files.ask_and_open,
+            "export": self.files.ask_and_export,
+            "save_report": self.files.ask_and_save_report,
+            "close": self.files.close,
             "quit": self.close,
             "shortcuts": lambda: shortcuts_dialog(self, self.actions_by_id).open(),
             "log": lambda: QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_path()))),
@@ -177,13 +182,7 @@ class MainWindow(QMainWindow):
             self.actions_by_id[name].triggered.connect(lambda _=False, call=call: call())
         for name, use in of_workspace.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, use=use: self._with(use))
-        switches: dict[str, Callable[[Workspace, bool], None]] = {
-            "follow": lambda w, on: w.scene.set_follow(on),
-            "labels": lambda w, on: w.scene.set_labels(on),
-            "trails": lambda w, on: w.scene.set_trails(on),
-            "separate": lambda w, on: w.trajectories.set_separate(on),
-        }
-        for name, switch in switches.items():
+        for name, switch in self._switches.items():
             self.actions_by_id[name].toggled.connect(
                 lambda on, switch=switch: self._with(lambda w: switch(w, on))
             )
@@ -193,68 +192,30 @@ class MainWindow(QMainWindow):
         if self.workspace is not None:
             use(self.workspace)
 
-    # --- files -------------------------------------------------------------------------------
-
-    def ask_and_open(self) -> None:
-        """Let the user choose a recording and open it."""
-        path, _ = QFileDialog.getOpenFileName(
-            self,
-            self.tr("Open recording"),
-            self.settings.get(LAST_FOLDER),
-            self.tr("C3D recordings (*.c3d *.C3D);;All files (*)"),
-        )
-        if path:
-            self.open_path(Path(path))
-
-    def open_path(self, path: Path) -> None:
-        """Open a recording; the present one stays until the new one is fully read."""
-        if self._loading:
-            return
-        self._loading = True
-        job = self.jobs.read_or_write(self.tr("Opening {0}").format(path.name), engine.load, path)
-        job.finished.connect(lambda loaded: self._adopt(*loaded))
-        job.failed.connect(self.show_error)
-        job.ended.connect(self._end_loading)
-
-    def _end_loading(self) -> None:
-        self._loading = False
-
-    def _adopt(self, source: C3DFile, skeleton: Skeleton) -> None:
-        self._after_saving(lambda: self.show_source(source, skeleton))
+    # --- documents ---------------------------------------------------------------------------
 
     def show_source(self, source: C3DFile, skeleton: Skeleton) -> None:
         """Show a recording that has been read in place of the present one."""
-        self._drop_workspace()
+        self.drop_workspace()
         workspace = Workspace(
             Document(source, skeleton), self.jobs, self.settings, self.theme, self.actions_by_id
         )
         self.workspace = workspace
-        workspace.message.connect(lambda text: self.statusBar().showMessage(text, MESSAGE_MS))
+        workspace.message.connect(self.say)
         workspace.failed.connect(self.show_error)
-        for name in ("follow", "labels", "trails", "separate"):
-            self.actions_by_id[name].toggled.emit(self.actions_by_id[name].isChecked())
+        for name, switch in self._switches.items():
+            switch(workspace, self.actions_by_id[name].isChecked())
         stack = workspace.document.undo_stack
         stack.indexChanged.connect(self._show_undo)
         stack.cleanChanged.connect(self._show_title)
         self._keys.guard(workspace)
         self.stack.addWidget(workspace)
         self.stack.setCurrentWidget(workspace)
-        path = source.path.resolve()
-        self.settings.remember_file(str(path))
-        self.settings.set(LAST_FOLDER, str(path.parent))
         self._show_document()
-        self.statusBar().showMessage(self.tr("Opened {0}").format(path.name), MESSAGE_MS)
         workspace.setFocus()
 
-    def close_file(self) -> None:
-        """Close the open recording."""
-        self._after_saving(self._close_file)
-
-    def _close_file(self) -> None:
-        self._drop_workspace()
-        self._show_document()
-
-    def _drop_workspace(self) -> None:
+    def drop_workspace(self) -> None:
+        """Close the present recording and show the empty window."""
         if self.workspace is None:
             return
         workspace, self.workspace = self.workspace, None
@@ -262,132 +223,13 @@ class MainWindow(QMainWindow):
         workspace.save_layout()
         self.stack.removeWidget(workspace)
         workspace.deleteLater()
-
-    def export(self, then: Callable[[], None] | None = None) -> None:
-        """Let the user choose where the repaired recording goes, and write it there."""
-        if self.workspace is None:
-            return
-        source = self.workspace.document.source
-        proposed = source.path.with_name(f"{source.path.stem}_repaired{source.path.suffix}")
-        path, _ = QFileDialog.getSaveFileName(
-            self,
-            self.tr("Export repaired recording"),
-            str(proposed),
-            self.tr("C3D recordings (*.c3d)"),
-        )
-        if path:
-            self.export_to(Path(path), then)
-
-    def export_to(self, path: Path, then: Callable[[], None] | None = None) -> None:
-        """Write the repaired recording, after asking about what cannot be taken back."""
-        assert self.workspace is not None
-        document = self.workspace.document
-        replaces = path.exists() and path.samefile(document.source.path)
-        if replaces and not self._confirm(
-            self.tr("Replace the original recording?"),
-            self.tr(
-                "{0} is the file that you opened. Its missing samples will be overwritten with the "
-                "repairs, and the undo history ends here. A new name keeps both."
-            ).format(path.name),
-        ):
-            return
-        if document.source.truncated and not self._confirm(
-            self.tr("Export a truncated recording?"),
-            self.tr("The file ends before its data do. The copy will be as short as the original."),
-        ):
-            return
-        job = self.jobs.read_or_write(
-            self.tr("Exporting {0}").format(path.name),
-            engine.export,
-            document.source,
-            document.changed_runs(),
-            path,
-            replaces,
-            document.source.truncated,
-        )
-        index = document.undo_stack.index()
-        job.finished.connect(lambda done: self._exported(document, index, path, done, then))
-        job.failed.connect(self.show_error)
-
-    def _exported(
-        self,
-        document: Document,
-        index: int,
-        path: Path,
-        exported: engine.Exported,
-        then: Callable[[], None] | None,
-    ) -> None:
-        self.settings.remember_file(str(path.resolve()))
-        if self.workspace is not None and self.workspace.document is document:
-            # Edits made while the file was written are not in it.
-            if document.undo_stack.index() == index:
-                document.undo_stack.setClean()
-            if path.samefile(document.source.path) and then is None:
-                self.open_path(path)
-        self.statusBar().showMessage(
-            self.tr(
-                "Exported {0}: {1} samples repaired, all else is byte for byte the same."
-            ).format(path.name, exported.saved.samples)
-        )
-        if then is not None:
-            then()
-
-    def save_report(self) -> None:
-        """Let the user choose where the HTML report goes, and write it there."""
-        if self.workspace is None:
-            return
-        source = self.workspace.document.source
-        path, _ = QFileDialog.getSaveFileName(
-            self,
-            self.tr("Save report"),
-            str(source.path.with_name(f"{source.path.stem}_report.html")),
-            self.tr("HTML (*.html)"),
-        )
-        if not path:
-            return
-        job = self.jobs.read_or_write(
-            self.tr("Writing the report"),
-            engine.write_report,
-            *self.workspace.report_inputs(),
-            Path(path),
-        )
-        job.finished.connect(
-            lambda _: self.statusBar().showMessage(
-                self.tr("Report written to {0}").format(Path(path).name), MESSAGE_MS
-            )
-        )
-        job.failed.connect(self.show_error)
-
-    def _after_saving(self, then: Callable[[], None]) -> None:
-        """Go on with what ends the present document, once its edits are saved or given up."""
-        if self.workspace is None or self.workspace.document.undo_stack.isClean():
-            then()
-            return
-        answer = QMessageBox.question(
-            self,
-            "mocapmend",
-            self.tr("{0} has repairs that are not exported yet.").format(
-                self.workspace.document.source.path.name
-            ),
-            QMessageBox.StandardButton.Save
-            | QMessageBox.StandardButton.Discard
-            | QMessageBox.StandardButton.Cancel,
-            QMessageBox.StandardButton.Save,
-        )
-        if answer == QMessageBox.StandardButton.Save:
-            self.export(then)
-        elif answer == QMessageBox.StandardButton.Discard:
-            then()
-
-    def _confirm(self, question: str, detail: str) -> bool:
-        box = QMessageBox(QMessageBox.Icon.Warning, "mocapmend", question, parent=self)
-        box.setInformativeText(detail)
-        go = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.AcceptRole)
-        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
-        box.exec()
-        return box.clickedButton() is go
+        self._show_document()
 
     # --- showing -----------------------------------------------------------------------------
+
+    def say(self, text: str) -> None:
+        """Tell something in passing, in the status bar."""
+        self.statusBar().showMessage(text, MESSAGE_MS)
 
     def show_error(self, error: Exception) -> None:
         """Report an error; the document stays as it is."""
@@ -474,7 +316,7 @@ class MainWindow(QMainWindow):
         for text in recent:
             action = QAction(Path(text).name, self.recent_menu)
             action.setToolTip(text)
-            action.triggered.connect(lambda _=False, text=text: self.open_path(Path(text)))
+            action.triggered.connect(lambda _=False, text=text: self.files.open(Path(text)))
             self.recent_menu.addAction(action)
         if not recent:
             self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
@@ -489,20 +331,20 @@ class MainWindow(QMainWindow):
         path = _dropped_file(event.mimeData())
         if path is not None:
             event.acceptProposedAction()
-            self.open_path(path)
+            self.files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.workspace is not None and not self.workspace.document.undo_stack.isClean():
             event.ignore()
-            self._after_saving(self._close_for_good)
+            self.files.after_saving(self._close_for_good)
             return
         self.settings.set(GEOMETRY, bytes(self.saveGeometry().data()))
-        self._drop_workspace()
+        self.drop_workspace()
         self.jobs.shut_down()
         event.accept()
 
     def _close_for_good(self) -> None:
-        self._drop_workspace()
+        self.drop_workspace()
         self.close()
 
 

@@ -135,8 +135,8 @@ class RepairPanel(QScrollArea):
         self._promise.setTextFormat(Qt.TextFormat.RichText)
         self._promise.setMinimumHeight(self._promise.fontMetrics().height() * 4)
         self._promise.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self._apply = _button(actions["apply"], self.tr("Apply"))
-        self._clear = _button(actions["clear_fill"], self.tr("Turn back into a gap"))
+        self._apply = ActionButton(actions["apply"], self.tr("Apply"))
+        self._clear = ActionButton(actions["clear_fill"], self.tr("Turn back into a gap"))
         for part in (self._title, steps, self._method, self._form, self._promise):
             if isinstance(part, QHBoxLayout):
                 layout.addLayout(part)
@@ -175,7 +175,7 @@ class RepairPanel(QScrollArea):
         self._outcome.setWordWrap(True)
         self.left_open = QPushButton(self.tr("Show what stayed open…"))
         layout.addLayout(form)
-        layout.addWidget(_button(actions["fill_all"], self.tr("Fill all")))
+        layout.addWidget(ActionButton(actions["fill_all"], self.tr("Fill all")))
         layout.addWidget(self._outcome)
         layout.addWidget(self.left_open)
         self.show_outcome("", open_gaps=False)
@@ -243,7 +243,7 @@ class RepairPanel(QScrollArea):
         mm = self._document.original.mm
         radius = float(np.median(preview.patch.r90)) * mm
         if np.isfinite(radius):
-            text += self.tr(", 90 % within {0} mm").format(f"{radius:.1f}")
+            text += self.tr("; 90 % of the tests within {0} mm").format(f"{radius:.1f}")
         tests = preview.note.get("self_tests")
         if tests:
             where = (
@@ -259,18 +259,24 @@ class RepairPanel(QScrollArea):
     def _error_text(self, error: float) -> str:
         mm = error * self._document.original.mm
         if np.isfinite(mm):
-            return self.tr(" Expected error <b>{0} mm</b>").format(f"{mm:.1f}")
+            return self.tr(" Expected error <b>{0} mm</b> RMS").format(f"{mm:.1f}")
         return self.tr(" Expected error <b>unknown</b>: too little of the recording to test on")
 
 
-def _button(action: QAction, text: str) -> QPushButton:
-    """Make a push button for an action: enabled with it, and with its shortcut in the tool tip."""
-    button = QPushButton(text)
-    button.setToolTip(action.toolTip())
-    button.setEnabled(action.isEnabled())
-    button.clicked.connect(action.trigger)
-    action.changed.connect(lambda: button.setEnabled(action.isEnabled()))
-    return button
+class ActionButton(QPushButton):
+    """A push button for an action: enabled with it, and with its shortcut in the tool tip."""
+
+    def __init__(self, action: QAction, text: str) -> None:
+        super().__init__(text)
+        self._action = action
+        self.setToolTip(action.toolTip())
+        self.clicked.connect(action.trigger)
+        # A method and not a lambda: the action outlives the button.
+        action.changed.connect(self._follow)
+        self._follow()
+
+    def _follow(self) -> None:
+        self.setEnabled(self._action.isEnabled())
 
 
 def _escape(text: str) -> str:

@@ -124,6 +124,7 @@ class ReportPane(QWidget):
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         table.setShowGrid(False)
+        table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         table.setTabKeyNavigation(False)
         table.verticalHeader().hide()
         table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
@@ -145,7 +146,9 @@ class ReportPane(QWidget):
         self._table.setRowCount(len(self.report.bone_names))
         before, after = self.report.spread_before, self.report.spread_after
         for row, name in enumerate(self.report.bone_names):
-            self._table.setItem(row, 0, QTableWidgetItem(name))
+            item = QTableWidgetItem(name)
+            item.setToolTip(name)
+            self._table.setItem(row, 0, item)
             for column, value in ((1, before[row]), (2, after[row])):
                 item = QTableWidgetItem(f"{value:.2f} %" if np.isfinite(value) else "—")
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -170,7 +173,7 @@ class ReportPane(QWidget):
             legend.append(f'<span style="color:{colour}">━ {name}</span>')
         legend.append(self.tr("dotted: before"))
         self._success.setTitle(" &nbsp; ".join(legend), size="9pt", color=self._theme.dim)
-        self._success.setXRange(*self._span(), padding=0.01)
+        self._success.setXRange(*self._span(), padding=0.02)
 
     def _draw_bone(self) -> None:
         self._bone.clear()
@@ -185,12 +188,11 @@ class ReportPane(QWidget):
         for values, colour in ((after, repaired), (before, measured)):
             self._bone.plot(self._seconds(), values, pen=colour, connect="finite")
         legend = (
-            self.report.bone_names[row],
             f'<span style="color:{measured}">━ {self.tr("measured")}</span>',
             f'<span style="color:{repaired}">━ {self.tr("repaired")}</span>',
         )
         self._bone.setTitle(" &nbsp; ".join(legend), size="9pt", color=self._theme.dim)
-        self._bone.setXRange(*self._span(), padding=0.01)
+        self._bone.setXRange(*self._span(), padding=0.02)
 
     def _seconds(self) -> NDArray[np.float64]:
         return np.arange(self._document.original.frames) / self._document.original.rate

@@ -1,6 +1,7 @@
 """What the window shows before a file is open."""
 
 from collections.abc import Sequence
+from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -67,16 +68,18 @@ class Welcome(QWidget):
             self._recent.addWidget(_heading(self.tr("Recent files")))
         for text in paths[:RECENT_SHOWN]:
             path = Path(text)
-            button = self._link(path, path.name)
-            button.setToolTip(text)
-            self._recent.addWidget(button, 0, Qt.AlignmentFlag.AlignCenter)
+            link = self._link(path, path.name)
+            link.setToolTip(text)
+            self._recent.addWidget(link, 0, Qt.AlignmentFlag.AlignCenter)
 
-    def _link(self, path: Path, text: str) -> QPushButton:
-        button = QPushButton(text)
-        button.setFlat(True)
-        button.setCursor(Qt.CursorShape.PointingHandCursor)
-        button.clicked.connect(lambda: self.chosen.emit(path))
-        return button
+    def _link(self, path: Path, text: str) -> QLabel:
+        link = QLabel(f'<a href="open">{escape(text)}</a>')
+        link.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        link.linkActivated.connect(lambda _: self.chosen.emit(path))
+        return link
 
 
 def _heading(text: str) -> QLabel:

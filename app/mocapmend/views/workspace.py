@@ -72,6 +72,7 @@ class Workspace(QMainWindow):
         self.report = ReportPane(document, self.view, jobs, theme)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
+        self._proof: tuple[str, ...] = ()
         self._filling: Job | None = None
         self._arrange()
         self.repair.method_chosen.connect(self.previewer.choose)
@@ -200,6 +201,11 @@ class Workspace(QMainWindow):
         elif original.markers:
             self.view.select((0,))
 
+    def saved_as(self, exported: engine.Exported) -> None:
+        """Take note that a file now holds all edits."""
+        self._proof = exported.sentences
+        self.document.undo_stack.setClean()
+
     def report_inputs(self) -> tuple[Any, ...]:
         """Return what `engine.write_report` needs, as it is now."""
         document = self.document
@@ -208,6 +214,7 @@ class Workspace(QMainWindow):
             file=document.source.path.name,
             methods=tuple(METHODS[method].label for method in used),
             warnings=document.source.warnings,
+            proof=self._proof if document.undo_stack.isClean() else (),
         )
         still_open = set(document.gaps)
         unfilled = [entry for entry in self._left_open if entry.gap in still_open]

@@ -1,0 +1,197 @@
+"""Opening, exporting and closing: what the user is asked, and the jobs that follow."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+from mocapmend import engine
+from mocapmend.document import Document
+from mocapmend.files import C3DFile
+from mocapmend.settings import LAST_FOLDER
+from mocapmend_algorithms.skeleton import Skeleton
+
+if TYPE_CHECKING:
+    from mocapmend.views.main_window import MainWindow
+
+
+class FileActions(QObject):
+    """The file menu of a window.
+
+    Parameters
+    ----------
+    window : MainWindow
+        Asks over it, opens in it.
+    """
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+        self._loading = False
+
+    def ask_and_open(self) -> None:
+        """Let the user choose a recording and open it."""
+        path, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Open recording"),
+            self._window.settings.get(LAST_FOLDER),
+            self.tr("C3D recordings (*.c3d *.C3D);;All files (*)"),
+        )
+        if path:
+            self.open(Path(path))
+
+    def open(self, path: Path) -> None:
+        """Open a recording; the present one stays until the new one is fully read."""
+        if self._loading:
+            return
+        self._loading = True
+        title = self.tr("Opening {0}").format(path.name)
+        job = self._window.jobs.read_or_write(title, engine.load, path)
+        job.finished.connect(lambda loaded: self._adopt(*loaded))
+        job.failed.connect(self._window.show_error)
+        job.ended.connect(self._end_loading)
+
+    def close(self) -> None:
+        """Close the open recording."""
+        self.after_saving(self._window.drop_workspace)
+
+    def ask_and_export(self, then: Callable[[], None] | None = None) -> None:
+        """Let the user choose where the repaired recording goes, and write it there."""
+        if self._window.workspace is None:
+            return
+        source = self._window.workspace.document.source
+        proposed = source.path.with_name(f"{source.path.stem}_repaired{source.path.suffix}")
+        path, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Export repaired recording"),
+            str(proposed),
+            self.tr("C3D recordings (*.c3d)"),
+        )
+        if path:
+            self.export(Path(path), then)
+
+    def export(self, path: Path, then: Callable[[], None] | None = None) -> None:
+        """Write the repaired recording, after asking about what cannot be taken back."""
+        assert self._window.workspace is not None
+        document = self._window.workspace.document
+        replaces = path.exists() and path.samefile(document.source.path)
+        if replaces and not self._confirm_replacing(path):
+            return
+        if document.source.truncated and not self._confirm(
+            self.tr("Export a truncated recording?"),
+            self.tr("The file ends before its data do. The copy will be as short as the original."),
+        ):
+            return
+        job = self._window.jobs.read_or_write(
+            self.tr("Exporting {0}").format(path.name),
+            engine.export,
+            document.source,
+            document.changed_runs(),
+            path,
+            replaces,
+            document.source.truncated,
+        )
+        index = document.undo_stack.index()
+        job.finished.connect(lambda done: self._exported(document, index, done, then))
+        job.failed.connect(self._window.show_error)
+
+    def ask_and_save_report(self) -> None:
+        """Let the user choose where the HTML report goes, and write it there."""
+        workspace = self._window.workspace
+        if workspace is None:
+            return
+        source = workspace.document.source
+        path, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Save report"),
+            str(source.path.with_name(f"{source.path.stem}_report.html")),
+            self.tr("HTML (*.html)"),
+        )
+        if not path:
+            return
+        job = self._window.jobs.read_or_write(
+            self.tr("Writing the report"),
+            engine.write_report,
+            *workspace.report_inputs(),
+            Path(path),
+        )
+        written = self.tr("Report written to {0}").format(Path(path).name)
+        job.finished.connect(lambda _: self._window.say(written))
+        job.failed.connect(self._window.show_error)
+
+    def after_saving(self, then: Callable[[], None]) -> None:
+        """Go on with what ends the present document, once its edits are saved or given up."""
+        workspace = self._window.workspace
+        if workspace is None or workspace.document.undo_stack.isClean():
+            then()
+            return
+        buttons = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self._window,
+            "mocapmend",
+            self.tr("{0} has repairs that are not exported yet.").format(
+                workspace.document.source.path.name
+            ),
+            buttons.Save | buttons.Discard | buttons.Cancel,
+            buttons.Save,
+        )
+        if answer == buttons.Save:
+            self.ask_and_export(then)
+        elif answer == buttons.Discard:
+            then()
+
+    def _end_loading(self) -> None:
+        self._loading = False
+
+    def _adopt(self, source: C3DFile, skeleton: Skeleton) -> None:
+        self.after_saving(lambda: self._show(source, skeleton))
+
+    def _show(self, source: C3DFile, skeleton: Skeleton) -> None:
+        self._window.show_source(source, skeleton)
+        path = source.path.resolve()
+        self._window.settings.remember_file(str(path))
+        self._window.settings.set(LAST_FOLDER, str(path.parent))
+        self._window.say(self.tr("Opened {0}").format(path.name))
+
+    def _exported(
+        self,
+        document: Document,
+        index: int,
+        exported: engine.Exported,
+        then: Callable[[], None] | None,
+    ) -> None:
+        path = exported.saved.path
+        self._window.settings.remember_file(str(path.resolve()))
+        workspace = self._window.workspace
+        # Edits made while the file was written are not in it.
+        if workspace is not None and workspace.document is document:
+            if document.undo_stack.index() == index:
+                workspace.saved_as(exported)
+            if then is None and path.samefile(document.source.path):
+                self.open(path)
+        self._window.say(
+            self.tr("Exported {0}: {1} samples repaired, all else is the same.").format(
+                path.name, exported.saved.samples
+            )
+        )
+        if then is not None:
+            then()
+
+    def _confirm_replacing(self, path: Path) -> bool:
+        return self._confirm(
+            self.tr("Replace the original recording?"),
+            self.tr(
+                "{0} is the file that you opened. Its missing samples will be overwritten with the "
+                "repairs, and the undo history ends here. A new name keeps both."
+            ).format(path.name),
+        )
+
+    def _confirm(self, question: str, detail: str) -> bool:
+        box = QMessageBox(QMessageBox.Icon.Warning, "mocapmend", question, parent=self._window)
+        box.setInformativeText(detail)
+        go = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.AcceptRole)
+        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        box.exec()
+        return box.clickedButton() is go
