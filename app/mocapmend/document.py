@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from mocapmend.files import C3DFile, SampleRun
+from mocapmend.names import short_names
 from mocapmend.report import RepairRow
 from mocapmend.shared_recording import SharedRecording
 from mocapmend.state import SampleState
@@ -87,6 +88,7 @@ class Document(QObject):
         self.undo_stack = QUndoStack(self)
         self.revision = 0
         self.repairs: dict[Gap, Repair] = {}
+        self.names = short_names(source.recording.labels)
         self._points = source.recording.points.copy()
         missing = ~source.recording.present
         self._state = np.where(missing, SampleState.MISSING, SampleState.MEASURED).astype(np.uint8)

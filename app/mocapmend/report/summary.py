@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from mocapmend.names import short_names
 from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
 from mocapmend_algorithms import Progress, Recording, find_gaps
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
@@ -66,6 +67,7 @@ def summarise(
     spread_after = spread_before.copy()
     spread_after[moved] = _spread(after, bones[moved])
     shown = np.argsort(-repaired, kind="stable")[: min(MOST_CURVES, np.count_nonzero(repaired))]
+    names = short_names(before.labels)
     progress(0.9)
     report = Report(
         rate=before.rate,
@@ -75,7 +77,7 @@ def summarise(
         success_before=success_curves(tracked(before), counted=counted),
         success_after=success_curves(tracked(after), counted=counted),
         bones=tuple(skeleton.bones),
-        bone_names=tuple(_bone_name(before.labels[a], before.labels[b]) for a, b in skeleton.bones),
+        bone_names=tuple(f"{names[a]} – {names[b]}" for a, b in skeleton.bones),
         spread_before=spread_before,
         spread_after=spread_after,
         bone_repairs=repaired,
@@ -90,12 +92,6 @@ def summarise(
     )
     progress(1.0)
     return report
-
-
-def _bone_name(one: str, other: str) -> str:
-    """Name a bone by its ends; what they share before a colon is said once."""
-    subject, colon, _ = one.partition(":")
-    return f"{one} – {other.removeprefix(subject + colon) if colon else other}"
 
 
 def _chunks(frames: int) -> Iterator[slice]:

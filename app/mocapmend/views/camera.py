@@ -55,9 +55,9 @@ class Camera:
         """Scale the distance to the target."""
         self.distance = max(self.distance * factor, 1e-6)
 
-    def pan(self, right: float, up: float, height: int) -> None:
-        """Move the target across the picture by pixels of a view of the given height."""
-        per_pixel = 2.0 * self.distance * np.tan(FIELD_OF_VIEW / 2.0) / max(1, height)
+    def pan(self, right: float, up: float, size: int) -> None:
+        """Move the target across the picture by pixels; `size` is the shorter side of the view."""
+        per_pixel = 2.0 * self.distance * np.tan(FIELD_OF_VIEW / 2.0) / max(1, size)
         axes = self._axes()
         self.target = self.target - (axes[0] * right - axes[1] * up) * per_pixel
 
@@ -75,7 +75,7 @@ class Camera:
         depth = view[:, 2] + self.distance
         with np.errstate(invalid="ignore"):
             seen = depth > NEAR * self.distance
-        focal = height / (2.0 * np.tan(FIELD_OF_VIEW / 2.0))
+        focal = min(width, height) / (2.0 * np.tan(FIELD_OF_VIEW / 2.0))
         scale = np.where(seen, focal / np.where(seen, depth, 1.0), np.nan)
         pixels = np.empty((len(points), 2))
         pixels[:, 0] = width / 2.0 + view[:, 0] * scale

@@ -86,7 +86,7 @@ class MarkerModel(QAbstractTableModel):
     def _value(self, marker: int, column: int) -> str | float | int:
         gaps = self._document.gaps_of(marker)
         if column == 0:
-            return self._document.original.labels[marker]
+            return self._document.names[marker]
         if column == 1:
             frames = max(1, self._document.original.frames)
             return 100.0 * sum(gap.length for gap in gaps) / frames

@@ -1,5 +1,6 @@
 """The repair pane: the current gap, the method and what it promises, and filling all at once."""
 
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -205,7 +206,9 @@ class RepairPanel(QScrollArea):
         self._title.setText(self._gap_text(gap))
         self._clear.setVisible(repair is not None)
         self._apply.setVisible(repair is None)
-        if gap is None:
+        if gap is None and not self._document.gaps:
+            text = self.tr("No marker is missing anywhere: there is nothing to fill.")
+        elif gap is None:
             text = self.tr("Press N for the next gap, or click one on the timeline.")
         elif repair is not None:
             text = self.tr("Repaired with <b>{0}</b>.").format(METHODS[repair.method].label)
@@ -228,7 +231,7 @@ class RepairPanel(QScrollArea):
             "whole": self.tr(", never seen"),
         }
         return self.tr("{0}: frames {1} to {2}\n{3} frames ({4} ms){5}").format(
-            original.labels[gap.marker],
+            self._document.names[gap.marker],
             gap.start + original.first_frame,
             gap.stop - 1 + original.first_frame,
             gap.length,
@@ -238,7 +241,7 @@ class RepairPanel(QScrollArea):
 
     def _preview_text(self, preview: Preview) -> str:
         if preview.patch is None:
-            return self.tr("<b>Stays open:</b> {0}").format(_escape(preview.reason))
+            return self.tr("<b>Stays open:</b> {0}").format(escape(preview.reason))
         text = self._error_text(preview.patch.expected_error)
         mm = self._document.original.mm
         radius = float(np.median(preview.patch.r90)) * mm
@@ -277,7 +280,3 @@ class ActionButton(QPushButton):
 
     def _follow(self) -> None:
         self.setEnabled(self._action.isEnabled())
-
-
-def _escape(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;")

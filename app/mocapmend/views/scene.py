@@ -26,6 +26,8 @@ from mocapmend_algorithms import Gap
 
 Array = NDArray[np.float64]
 
+FIT = 3.0
+"""Distance of the camera in body sizes at which the body fills the view."""
 PICK_RADIUS = 12.0
 DRAG_THRESHOLD = 4.0
 TRAIL_SECONDS = 0.5
@@ -50,7 +52,7 @@ class Scene(QWidget):
         self._size = body_size(original.points @ self._turn, self._path)
         self._floor = floor_grid(original, self._turn, self._path, self._size)
         self._bones = np.array(document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
-        self.camera = Camera(distance=3.4 * self._size)
+        self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
         self._press: QPointF | None = None
         self._dragged = False
@@ -75,7 +77,7 @@ class Scene(QWidget):
     def look(self, name: str) -> None:
         """Turn to a fixed view and bring the body back to the middle."""
         self.camera.look(name)
-        self.camera.distance = 3.4 * self._size
+        self.camera.distance = FIT * self._size
         self._offset = np.zeros(3)
         self.update()
 
@@ -124,7 +126,7 @@ class Scene(QWidget):
         else:
             self._aim()
             before = self.camera.target
-            self.camera.pan(moved.x(), moved.y(), self.height())
+            self.camera.pan(moved.x(), moved.y(), min(self.width(), self.height()))
             self._offset = self._offset + self.camera.target - before
         self.update()
 
@@ -262,7 +264,7 @@ class Scene(QWidget):
     def _paint_labels(
         self, painter: QPainter, pixels: Array, ghost: tuple[int, Array] | None
     ) -> None:
-        labels = self._document.original.labels
+        labels = self._document.names
         shown = range(len(labels)) if self.show_labels else self._view.selection
         painter.setPen(QColor(self._theme.dim))
         for marker in shown:

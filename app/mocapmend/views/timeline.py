@@ -26,8 +26,9 @@ from mocapmend_algorithms import Gap
 
 GUTTER = 92
 RULER = 20
-LANES_TOP = RULER + 5
-"""Room under the ruler for the name of the first lane, which is taller than the lane."""
+NAME_MARGIN = 5
+"""Room above the first and below the last lane for their names, which are taller than lanes."""
+LANES_TOP = RULER + NAME_MARGIN
 LANE_MIN = 5
 LANE_MAX = 16
 NO_LANE = len(SampleState)
@@ -77,7 +78,9 @@ class Timeline(QAbstractScrollArea):
     def _lane_height(self) -> int:
         """Lanes share the height, within what can be read and hit."""
         count = max(1, self._document.original.markers)
-        return max(LANE_MIN, min(LANE_MAX, (self.viewport().height() - LANES_TOP - 5) // count))
+        return max(
+            LANE_MIN, min(LANE_MAX, (self.viewport().height() - LANES_TOP - NAME_MARGIN) // count)
+        )
 
     def _lanes_width(self) -> int:
         return max(1, self.viewport().width() - GUTTER - 1)
@@ -122,7 +125,8 @@ class Timeline(QAbstractScrollArea):
         if marker is None:
             return
         bar, height = self.verticalScrollBar(), self._lane_height()
-        bottom = marker * height + height - (self.viewport().height() - LANES_TOP)
+        page = self.viewport().height() - LANES_TOP - NAME_MARGIN
+        bottom = (marker + 1) * height - page
         bar.setValue(max(bottom, min(bar.value(), marker * height)))
 
     # --- what the user does ------------------------------------------------------------------
@@ -204,7 +208,7 @@ class Timeline(QAbstractScrollArea):
 
     def _repaint(self) -> None:
         self._picture = None
-        lanes = self._document.original.markers * self._lane_height() + 5
+        lanes = self._document.original.markers * self._lane_height() + NAME_MARGIN
         page = self.viewport().height() - LANES_TOP
         self.verticalScrollBar().setRange(0, max(0, lanes - page))
         self.verticalScrollBar().setPageStep(page)
@@ -276,7 +280,7 @@ class Timeline(QAbstractScrollArea):
         height = self._lane_height()
         metrics = painter.fontMetrics()
         every = max(1, int(np.ceil((metrics.height() - 3) / height)))
-        labels = self._document.original.labels
+        labels = self._document.names
         chosen = set(self._view.selection)
         crowded = {marker + k for marker in chosen for k in range(1 - every, every)}
         others = [m for m in range(0, len(labels), every) if m not in crowded]

@@ -209,7 +209,7 @@ class Trajectories(QWidget):
         decimals = {"m": 4, "cm": 2}.get(unit, 1)
         for order, marker in enumerate(self._view.selection):
             place = self._document.points[self._view.frame, marker]
-            label = self._document.original.labels[marker]
+            label = self._document.names[marker]
             if np.isnan(place[0]):
                 value = self.tr("missing")
             else:

@@ -126,14 +126,14 @@ class Workspace(QMainWindow):
             self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
             return
         edit = Edit.fill(preview.patch, preview.method, preview.params)
-        label = self.document.original.labels[preview.gap.marker]
+        label = self.document.names[preview.gap.marker]
         self._push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
 
     def clear_fill(self) -> None:
         """Turn the current gap's repair back into a gap."""
         gap = self.view.gap
         if gap is not None and gap in self.document.repairs:
-            label = self.document.original.labels[gap.marker]
+            label = self.document.names[gap.marker]
             self._push([Edit.clear(gap)], self.tr("clear the repair of {0}").format(label))
         else:
             self.message.emit(self.tr("There is no repair here."))
