@@ -90,8 +90,8 @@ class Document(QObject):
         self.repairs: dict[Gap, Repair] = {}
         self.names = short_names(source.recording.labels)
         self._points = source.recording.points.copy()
-        missing = ~source.recording.present
-        self._state = np.where(missing, SampleState.MISSING, SampleState.MEASURED).astype(np.uint8)
+        self._state = np.full(source.recording.present.shape, SampleState.MEASURED, np.uint8)
+        self._state[~source.recording.present] = SampleState.MISSING
         self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
         self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
         self._shared: SharedRecording | None = None

@@ -114,12 +114,15 @@ def body_path(points: Array, rate: float) -> Array:
     frames = len(points)
     step = max(1, round(rate / 10.0))
     sampled = np.arange(0, frames, step)
-    some = points[sampled]
-    seen = ~np.isnan(some[:, :, 0]).all(axis=1)
+    ordered = np.sort(points[sampled], axis=1)
+    count = np.count_nonzero(~np.isnan(ordered[:, :, 0]), axis=1)
+    seen = count > 0
     if not seen.any():
         return np.zeros((frames, 3))
     # Not the outermost markers: a ghost far from the body must not move the picture.
-    known = np.nanpercentile(some[seen], (5.0, 95.0), axis=1).mean(axis=0)
+    outermost = np.floor(0.05 * (count[seen] - 1)).astype(np.intp)
+    rows = np.flatnonzero(seen)
+    known = (ordered[rows, outermost] + ordered[rows, count[seen] - 1 - outermost]) / 2.0
     smooth = np.ones(11) / 11.0
     path = np.empty((frames, 3))
     for axis in range(3):

@@ -48,8 +48,9 @@ class Scene(QWidget):
         self.follow = True
         original = document.original
         self._turn = upright(original.up).T
-        self._path = body_path(original.points, original.rate) @ self._turn
-        self._size = body_size(original.points @ self._turn, self._path)
+        path = body_path(original.points, original.rate)
+        self._size = body_size(original.points, path)
+        self._path = path @ self._turn
         self._floor = floor_grid(original, self._turn, self._path, self._size)
         self._bones = np.array(document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
         self.camera = Camera(distance=FIT * self._size)

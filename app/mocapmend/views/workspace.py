@@ -184,13 +184,14 @@ class Workspace(QMainWindow):
         """Begin at the longest gap within the limit, with the whole recording in view."""
         original = self.document.original
         ordered = in_time_order(self.document.gaps, original.frames)
+        seen = original.present.mean(axis=0) if original.frames else np.empty(0)
         within = [
             gap
             for gap in ordered
             if gap.kind(original.frames) == "interior"
             and gap.length <= self.repair.max_gap()
             # Fragments of trajectories and frames without a body are no place to begin.
-            and original.present[:, gap.marker].mean() > 0.5
+            and seen[gap.marker] > 0.5
             and original.present[gap.start].mean() > 0.5
         ]
         gap = max(within, key=lambda gap: gap.length, default=ordered[0] if ordered else None)
