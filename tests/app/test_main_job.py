@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QTableWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend.files import check_files, read_c3d
-from mocapmend.settings import RECENT_FILES
+from mocapmend.settings import RECENT_FILES, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.timeline import GUTTER
@@ -207,6 +207,31 @@ def test_a_repair_can_be_turned_back_into_a_gap(opened: MainWindow, qtbot: QtBot
     qtbot.keyClick(opened, Qt.Key.Key_Delete)
     assert gap in workspace.document.gaps
     assert workspace.document.undo_stack.count() == 2
+
+
+def test_a_closed_pane_comes_back(opened: MainWindow) -> None:
+    workspace = workspace_of(opened)
+    markers, repair = workspace.panes()[:2]
+    markers.close()
+    repair.setFloating(True)
+    opened.panes_menu.aboutToShow.emit()
+    listed = {action.text(): action for action in opened.panes_menu.actions()}
+    assert not listed["Markers"].isChecked()
+    listed["Markers"].trigger()
+    assert markers.isVisible()
+    markers.close()
+    listed["Arrange as at first"].trigger()
+    assert markers.isVisible()
+    assert not repair.isFloating()
+
+
+def test_the_layout_is_remembered(
+    open_in: Open, sprint: Path, gait: Path, settings: Settings
+) -> None:
+    window = open_in(sprint)
+    workspace_of(window).panes()[0].close()
+    window = open_in(gait)
+    assert not workspace_of(window).panes()[0].isVisible()
 
 
 def test_a_dropped_file_is_opened(window: MainWindow, qtbot: QtBot, sprint: Path) -> None:

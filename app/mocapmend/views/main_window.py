@@ -119,6 +119,9 @@ class MainWindow(QMainWindow):
         self.recent_menu = QMenu(self.tr("Open recent"), self)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
         menus["File"].insertMenu(self.actions_by_id["export"], self.recent_menu)
+        self.panes_menu = QMenu(self.tr("Panes"), self)
+        self.panes_menu.aboutToShow.connect(self._fill_panes_menu)
+        menus["View"].addMenu(self.panes_menu)
         # Actions that are only in menus answer to their keys through the window.
         self.addActions(list(self.actions_by_id.values()))
 
@@ -320,6 +323,18 @@ class MainWindow(QMainWindow):
             self.recent_menu.addAction(action)
         if not recent:
             self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
+
+    def _fill_panes_menu(self) -> None:
+        self.panes_menu.clear()
+        if self.workspace is None or not self.workspace.panes():
+            self.panes_menu.addAction(self.tr("None without markers")).setEnabled(False)
+            return
+        for pane in self.workspace.panes():
+            self.panes_menu.addAction(pane.toggleViewAction())
+        self.panes_menu.addSeparator()
+        self.panes_menu.addAction(
+            self.tr("Arrange as at first"), self.workspace.restore_first_layout
+        )
 
     # --- what the user does to the window ----------------------------------------------------
 

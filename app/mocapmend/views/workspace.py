@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QByteArray, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabWidget, QWidget
 
@@ -73,6 +73,8 @@ class Workspace(QMainWindow):
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
         self._proof: tuple[str, ...] = ()
+        self._panes: list[QDockWidget] = []
+        self._first_layout = QByteArray()
         self._filling: Job | None = None
         self._arrange()
         self.repair.method_chosen.connect(self.previewer.choose)
@@ -95,9 +97,18 @@ class Workspace(QMainWindow):
         if self._filling is not None:
             self._filling.abandon()
 
+    def panes(self) -> list[QDockWidget]:
+        """Return the panes around the middle, in the order in which they were made."""
+        return self._panes
+
+    def restore_first_layout(self) -> None:
+        """Put all panes back where they were when the program was new."""
+        self.restoreState(self._first_layout, LAYOUT_VERSION)
+
     def save_layout(self) -> None:
         """Remember where the panes are."""
-        self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
+        if self._panes:
+            self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
 
     # --- gaps --------------------------------------------------------------------------------
 
@@ -284,6 +295,7 @@ class Workspace(QMainWindow):
         timeline.raise_()
         self.resizeDocks([markers, repair], [230, 270], Qt.Orientation.Horizontal)
         self.resizeDocks([timeline], [210], Qt.Orientation.Vertical)
+        self._first_layout = self.saveState(LAYOUT_VERSION)
         self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
 
     def _dock(
@@ -293,6 +305,7 @@ class Workspace(QMainWindow):
         dock.setObjectName(name)
         dock.setWidget(content)
         self.addDockWidget(area, dock)
+        self._panes.append(dock)
         return dock
 
     def _nothing_to_repair(self) -> QLabel:
