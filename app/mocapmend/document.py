@@ -141,7 +141,10 @@ class Document(QObject):
         return self._shared
 
     def share_original(self) -> SharedRecording:
-        """Return the samples as the file has them for a background job."""
+        """Return the samples as the file has them for a background job.
+
+        Fills are computed from these: from measured samples alone, never from other fills.
+        """
         if self._shared_original is None:
             self._shared_original = SharedRecording(self.original, 0)
         return self._shared_original

@@ -1,6 +1,7 @@
 """The main job in the window, by keyboard and by mouse, on a real recording."""
 
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QTableWidget
 from pytestqt.qtbot import QtBot
 
+from mocapmend.cli import main
 from mocapmend.files import check_files, read_c3d
 from mocapmend.settings import RECENT_FILES, Settings
 from mocapmend.state import SampleState
@@ -112,6 +114,46 @@ def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None
     document.undo_stack.undo()
     assert document.points.tobytes() == before.tobytes()
     assert document.undo_stack.count() == 1
+
+
+def test_window_and_command_line_write_the_same_bytes(
+    opened: MainWindow, qtbot: QtBot, sprint: Path, tmp_path: Path
+) -> None:
+    workspace = workspace_of(opened)
+    wait_for_preview(qtbot, workspace)
+    workspace.apply_preview()
+    workspace.fill_all()
+    qtbot.waitUntil(lambda: workspace.document.undo_stack.count() == 2, timeout=20_000)
+    by_window, by_command = tmp_path / "window.c3d", tmp_path / "command.c3d"
+    opened.files.export(by_window)
+    qtbot.waitUntil(lambda: not opened.isWindowModified(), timeout=20_000)
+    limits = ["--method", "cubic", "--max-gap", "24", "--max-error", "20"]
+    assert main(["repair", str(sprint), "-o", str(by_command), *limits]) == 0
+    assert by_window.read_bytes() == by_command.read_bytes()
+
+
+def test_a_preview_never_leans_on_other_fills(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    document, view = workspace.document, workspace.view
+    close = next(
+        (one, other)
+        for one, other in pairwise(document.gaps)
+        if one.marker == other.marker and 0 < one.start and other.start - one.stop < 5
+    )
+    view.go_to(close[1])
+    wait_for_preview(qtbot, workspace)
+    alone = view.preview
+    view.go_to(close[0])
+    wait_for_preview(qtbot, workspace)
+    workspace.apply_preview()
+    view.go_to(close[1])
+    wait_for_preview(qtbot, workspace)
+    again = view.preview
+    assert alone is not None
+    assert again is not None
+    assert alone.patch is not None
+    assert again.patch is not None
+    assert again.patch.values.tobytes() == alone.patch.values.tobytes()
 
 
 def test_the_limit_is_shown_in_ms_too(opened: MainWindow) -> None:

@@ -61,7 +61,12 @@ class Previewer(QObject):
             return
         method, params = self._method
         job = self._jobs.compute(
-            self.tr("Preview"), engine.fill_gap, self._document.share(), gap, method, params
+            self.tr("Preview"),
+            engine.fill_gap,
+            self._document.share_original(),
+            gap,
+            method,
+            params,
         )
         job.finished.connect(lambda result: self._show(gap, method, params, result))
         job.failed.connect(self.failed)

@@ -158,7 +158,13 @@ class Workspace(QMainWindow):
         limits = Limits(max_gap=self.repair.max_gap(), max_error_mm=self.repair.max_error_mm())
         gaps = [gap for gap in document.gaps if gap.length < document.original.frames]
         job = self._jobs.compute(
-            self.tr("Fill all gaps"), engine.fill, document.share(), gaps, method, params, limits
+            self.tr("Fill all gaps"),
+            engine.fill,
+            document.share_original(),
+            gaps,
+            method,
+            params,
+            limits,
         )
         revision = document.revision
         job.finished.connect(lambda result: self._accept_all(revision, method, params, result))
