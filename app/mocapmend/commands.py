@@ -32,4 +32,4 @@ class EditSamples(QUndoCommand):
 
     def undo(self) -> None:
         """Write the old runs back."""
-        self._document.apply(reversed(self._before))
+        self._document.apply(self._before)

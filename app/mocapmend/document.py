@@ -103,6 +103,11 @@ class Document(QObject):
         return self.source.recording
 
     @property
+    def repairable(self) -> bool:
+        """Whether there are markers and frames; some files hold analog data or events alone."""
+        return self.original.points.size > 0
+
+    @property
     def points(self) -> NDArray[np.float64]:
         """Current coordinates, shape (frames, markers, 3); a read-only view that edits change."""
         view = self._points.view()

@@ -5,6 +5,8 @@ reading and writing files runs in a thread.
 """
 
 import multiprocessing
+import os
+import threading
 from collections.abc import Callable
 from concurrent.futures import (
     CancelledError,
@@ -51,6 +53,15 @@ def _adopt(board: Board) -> None:
     """Give a new worker process the flags."""
     global _board  # noqa: PLW0603 - the one thing that a pool's initializer can do
     _board = board
+    threading.Thread(target=_leave_with_parent, daemon=True).start()
+
+
+def _leave_with_parent() -> None:
+    """End with the window, however it ended: else memory stays taken that nobody can free."""
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)
 
 
 def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
@@ -80,6 +91,7 @@ class Job(QObject):
         self._future: Future[Any] | None = None
         self._held: tuple[Any, ...] = ()
         self._abandoned = False
+        self._over = False
         # Queued: a future settles on a thread of its pool, or before the caller could connect.
         self._settled.connect(self._conclude, Qt.ConnectionType.QueuedConnection)
 
@@ -91,6 +103,9 @@ class Job(QObject):
 
     def cancel(self) -> None:
         """Ask the job to stop; `cancelled` follows unless it was just finishing."""
+        if self._over:
+            # Another job may have the slot by now.
+            return
         self._board.cancel[self.slot] = 1
         if self._future is not None:
             self._future.cancel()
@@ -106,6 +121,7 @@ class Job(QObject):
 
     def _conclude(self) -> None:
         self._held = ()
+        self._over = True
         if not self._abandoned:
             self._tell_outcome()
         self.ended.emit()
@@ -154,21 +170,19 @@ class Jobs(QObject):
 
     def compute(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Run `function(*args, progress)` in the worker process; it must be importable there."""
-        job = self._new_job(title)
-        pool = self._pool()
+        slot = self._take_slot(title)
         try:
-            future = pool.submit(_call_in_process, job.slot, function, args)
+            future = self._pool().submit(_call_in_process, slot, function, args)
         except BrokenProcessPool:
             self._processes = None
-            future = self._pool().submit(_call_in_process, job.slot, function, args)
-        job.follow(future, args)
-        return job
+            future = self._pool().submit(_call_in_process, slot, function, args)
+        return self._start(title, slot, future, args)
 
     def read_or_write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Run `function(*args, progress)` in a thread: for files, which wait more than compute."""
-        job = self._new_job(title)
-        job.follow(self._threads.submit(function, *args, self._board.reporter(job.slot)), args)
-        return job
+        slot = self._take_slot(title)
+        future = self._threads.submit(function, *args, self._board.reporter(slot))
+        return self._start(title, slot, future, args)
 
     def warm_up(self) -> None:
         """Start the worker process before it is first needed."""
@@ -195,7 +209,7 @@ class Jobs(QObject):
             )
         return self._processes
 
-    def _new_job(self, title: str) -> Job:
+    def _take_slot(self, title: str) -> int:
         if not self._free:
             raise MocapmendError(
                 "Too many jobs are running at once.", title, "Wait for one to end."
@@ -203,10 +217,14 @@ class Jobs(QObject):
         slot = self._free.pop()
         self._board.progress[slot] = 0.0
         self._board.cancel[slot] = 0
+        return slot
+
+    def _start(self, title: str, slot: int, future: Future[Any], held: tuple[Any, ...]) -> Job:
         job = Job(title, self._board, slot, self)
         job.ended.connect(lambda: self._retire(job))
         self._running[slot] = job
         self._timer.start()
+        job.follow(future, held)
         self.started.emit(job)
         return job
 

@@ -7,8 +7,10 @@ from hypothesis import strategies as st
 from synthetic import fill_with, punch, record, smooth_motion
 
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.contract import R90_PER_SIGMA
 from mocapmend_algorithms.fill.selftest import TrialFinder, calibrate, turn
+
+R90_PER_SIGMA = 2.5002777108094
+"""Radius of the 90 % ball of an isotropic 3-D Gaussian with unit SD: sqrt(chi2.ppf(0.9, 3))."""
 
 KNOTS = np.array([-3, -2, -1, 6, 7, 8])
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from mocapmend.errors import MocapmendError
+from mocapmend.files import read_c3d
 from mocapmend.settings import RECENT_FILES
 from mocapmend.views.main_window import MainWindow
 
@@ -63,13 +64,48 @@ def test_a_truncated_file_opens_and_is_saved_only_after_a_yes(
     assert workspace.document.source.truncated
     assert window.notes.isVisible()
     out = tmp_path / "out.c3d"
-    monkeypatch.setattr(window.files, "_confirm", lambda *_: False)
+    asked: list[str] = []
+
+    def answer(question: str, _detail: str) -> bool:
+        asked.append(question)
+        return len(asked) > 1
+
+    monkeypatch.setattr(window.files, "_confirm", answer)
     window.files.export(out)
-    assert window.jobs.running <= 1
-    assert not out.exists()
-    monkeypatch.setattr(window.files, "_confirm", lambda *_: True)
+    assert len(asked) == 1
+    assert not window.files.writing
     window.files.export(out)
-    qtbot.waitUntil(out.exists, timeout=20_000)
+    assert len(asked) == 2
+    qtbot.waitUntil(lambda: not window.files.writing, timeout=20_000)
+    assert out.stat().st_size == path.stat().st_size
+
+
+def test_a_file_cut_before_its_first_frame_is_shown_as_empty(
+    open_in: Open, sprint: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "no_frames.c3d"
+    path.write_bytes(sprint.read_bytes()[: read_c3d(sprint).layout.data_start])
+    window = open_in(path)
+    assert window.workspace is not None
+    label = window.workspace.centralWidget()
+    assert isinstance(label, QLabel)
+    assert "nothing to repair" in label.text()
+    assert not window.actions_by_id["next_gap"].isEnabled()
+
+
+def test_an_export_after_the_source_has_gone_is_a_clear_error(
+    open_in: Open, qtbot: QtBot, sprint: Path, tmp_path: Path
+) -> None:
+    path, taken = tmp_path / "gone.c3d", tmp_path / "taken.c3d"
+    path.write_bytes(sprint.read_bytes())
+    taken.write_bytes(b"precious")
+    window = open_in(path)
+    path.unlink()
+    window.files.export(taken)
+    box = shown_error(window, qtbot)
+    assert "gone.c3d" in box.text() + box.informativeText()
+    box.close()
+    assert taken.read_bytes() == b"precious"
 
 
 def test_a_file_without_points_says_what_it_holds(

@@ -23,12 +23,17 @@ def source(request: pytest.FixtureRequest, tmp_path: Path) -> C3DFile:
     machine: Machine
     machine, is_float = request.param
     points = walk()
+    # Gaps of A in frames 9 to 11 and 30 to 39, and of D in frames 0 and 1.
+    fourth = np.full(points.shape[:2], 5.0)
+    for marker, start, stop in ((0, 9, 12), (0, 30, 40), (4, 0, 2)):
+        points[start:stop, marker] = 0.0
+        fourth[start:stop, marker] = -1.0
     spec = Synthetic(
         points,
         machine,
         is_float,
         0.125,
-        np.full(points.shape[:2], 5.0),
+        fourth,
         analog=np.arange(40.0 * 2 * 3).reshape(40, 2, 3),
         first_frame=11,
         labels=["A", "B", "Angle", "C", "D"],
@@ -68,7 +73,7 @@ def test_the_same_file(source: C3DFile) -> None:
 def test_repaired_samples_are_listed_and_confirmed(source: C3DFile, tmp_path: Path) -> None:
     runs = [
         SampleRun(3, 0, np.full((2, 3), 5.0)),
-        SampleRun(0, 9, np.full((3, 3), np.nan)),
+        SampleRun(0, 9, np.full((3, 3), -7.5)),
         SampleRun(0, 30, np.full((10, 3), 12.34)),
     ]
     out = tmp_path / "out.c3d"
@@ -86,12 +91,49 @@ def test_repaired_samples_are_listed_and_confirmed(source: C3DFile, tmp_path: Pa
     assert "read 40 frames of both files: 15 of 15" in sentence
 
 
-def test_a_sample_that_is_not_marked_as_computed(source: C3DFile) -> None:
+def test_a_measured_sample_may_not_change(source: C3DFile) -> None:
     report = check_files(source.path, altered(source, slot(source, 7, 3)))
     assert report.changed == (ChangedRun("C", 3, 18, 18),)
     assert not report.passed
-    assert "Marker C: 1 changed samples" in report.other_differences[0]
-    assert "the first at frame 18" in report.other_differences[0]
+    first = report.other_differences[0]
+    assert first == "Marker C: 1 samples differ although they were measured, the first at frame 18."
+
+
+@pytest.mark.parametrize("values", [1e3, np.nan], ids=["moved", "erased"])
+def test_a_measured_sample_may_not_be_replaced_by_a_computed_one(
+    source: C3DFile, tmp_path: Path, values: float
+) -> None:
+    out = tmp_path / "out.c3d"
+    save_patched(source, [SampleRun(2, 5, np.full((4, 3), values))], out)
+    report = check_files(source.path, out)
+    assert not report.passed
+    assert "4 samples differ although they were measured" in report.other_differences[0]
+
+
+def test_a_filled_sample_must_be_there_and_marked_as_computed(source: C3DFile) -> None:
+    layout = source.layout
+    at = slot(source, 10, 0)
+    fourth = at + 3 * layout.word
+    byte = source.path.read_bytes()[fourth]
+    report = check_files(source.path, altered(source, fourth, bytes([byte ^ 1])))
+    assert not report.passed
+    assert report.changed == (ChangedRun("A", 0, 21, 21),)
+    assert any("not marked as computed" in text for text in report.other_differences)
+    assert any("still missing" in text for text in report.other_differences)
+
+
+def test_hardly_any_flipped_bit_passes(gait: Path, tmp_path: Path) -> None:
+    raw = gait.read_bytes()
+    rng = np.random.default_rng(3)
+    flipped = tmp_path / "flipped.c3d"
+    passed = 0
+    for at in rng.integers(0, len(raw), 100).tolist():
+        damaged = bytearray(raw)
+        damaged[at] ^= 1 << int(rng.integers(8))
+        flipped.write_bytes(damaged)
+        passed += check_files(gait, flipped).passed
+    # Of a missing sample, a flip may look like a repair.
+    assert passed <= 2
 
 
 def test_a_model_output_and_an_analog_value(source: C3DFile) -> None:

@@ -128,7 +128,7 @@ def test_too_few_and_repeated_labels(tmp_path: Path) -> None:
     file = opened(Synthetic(walk(), labels=["A", "A", "", "*1"]), tmp_path)
     assert file.recording.labels == ("A", "A", "point 3", "*1", "point 5")
     assert any("names 4 of its 5 points" in text for text in file.warnings)
-    assert any("have the label of another" in text for text in file.warnings)
+    assert any("1 point has the label of another" in text for text in file.warnings)
 
 
 def test_more_labels_than_points(tmp_path: Path) -> None:

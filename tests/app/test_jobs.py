@@ -2,8 +2,11 @@
 
 import os
 import signal
+import subprocess
+import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from threading import Event
 
 import numpy as np
@@ -13,6 +16,7 @@ from pytestqt.qtbot import QtBot
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
 from mocapmend.shared_recording import SharedRecording
+from mocapmend.views.job_indicator import JobIndicator
 from mocapmend_algorithms import Progress, Recording
 
 
@@ -140,3 +144,69 @@ def test_more_jobs_than_slots_is_a_clear_error(jobs: Jobs, qtbot: QtBot) -> None
         jobs.read_or_write("one more", wait)
     with qtbot.waitSignals([job.ended for job in started], timeout=20_000):
         release.set()
+
+
+def test_cancelling_a_job_that_is_over_harms_no_other(jobs: Jobs, qtbot: QtBot) -> None:
+    over = jobs.compute("double", double, 1)
+    with qtbot.waitSignal(over.ended, timeout=20_000):
+        pass
+    after = jobs.compute("double", double, 2)
+    assert after.slot == over.slot
+    over.abandon()
+    with qtbot.waitSignal(after.finished) as finished:
+        pass
+    assert finished.args == [4]
+
+
+def test_the_newest_running_job_is_shown(jobs: Jobs, qtbot: QtBot) -> None:
+    indicator = JobIndicator(jobs)
+    qtbot.addWidget(indicator)
+    release = Event()
+
+    def wait(progress: Callable[[float], None]) -> None:
+        release.wait(20)
+
+    long = jobs.read_or_write("long", wait)
+    with qtbot.waitSignal(jobs.read_or_write("short", double, 1).ended):
+        pass
+    qtbot.waitUntil(indicator.isVisible)
+    assert indicator._title.text() == "long"
+    with qtbot.waitSignal(long.ended):
+        release.set()
+    assert not indicator.isVisible()
+
+
+ORPHAN = """
+import os, signal, sys
+from PySide6.QtCore import QCoreApplication
+from mocapmend.jobs import Jobs
+
+def pid(progress):
+    return os.getpid()
+
+if __name__ == "__main__":
+    app = QCoreApplication([])
+    jobs = Jobs()
+    job = jobs.compute("pid", pid)
+
+    def die(worker):
+        print(worker, flush=True)
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    job.finished.connect(die)
+    app.exec()
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_the_worker_ends_with_a_killed_window(tmp_path: Path, qtbot: QtBot) -> None:
+    script = tmp_path / "orphan.py"
+    script.write_text(ORPHAN)
+    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True)
+    status = Path(f"/proc/{int(done.stdout)}/stat")
+
+    def gone() -> bool:
+        # Ended, and perhaps not yet collected by its new parent.
+        return not status.exists() or status.read_text().rpartition(")")[2].split()[0] == "Z"
+
+    qtbot.waitUntil(gone, timeout=20_000)

@@ -13,11 +13,12 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend.cli import main
 from mocapmend.files import check_files, read_c3d
-from mocapmend.settings import RECENT_FILES, Settings
+from mocapmend.settings import MAX_GAP_MS, RECENT_FILES, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.timeline import GUTTER
 from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms import Gap
 
 Open = Callable[[Path], MainWindow]
 
@@ -35,6 +36,18 @@ def workspace_of(window: MainWindow) -> Workspace:
 
 def wait_for_preview(qtbot: QtBot, workspace: Workspace) -> None:
     qtbot.waitUntil(lambda: workspace.view.preview is not None, timeout=20_000)
+
+
+def close_pair(workspace: Workspace) -> tuple[Gap, Gap]:
+    """Return two short gaps of a marker with a few samples between them."""
+    return next(
+        (one, other)
+        for one, other in pairwise(workspace.document.gaps)
+        if one.marker == other.marker
+        and one.start > 0
+        and other.start - one.stop < 5
+        and one.length + other.length < 20
+    )
 
 
 def test_the_whole_job_by_keyboard(
@@ -120,6 +133,8 @@ def test_window_and_command_line_write_the_same_bytes(
     opened: MainWindow, qtbot: QtBot, sprint: Path, tmp_path: Path
 ) -> None:
     workspace = workspace_of(opened)
+    # One of two gaps that are close: if the second leant on the first, the bytes would differ.
+    workspace.view.go_to(close_pair(workspace)[0])
     wait_for_preview(qtbot, workspace)
     workspace.apply_preview()
     workspace.fill_all()
@@ -134,12 +149,8 @@ def test_window_and_command_line_write_the_same_bytes(
 
 def test_a_preview_never_leans_on_other_fills(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
-    document, view = workspace.document, workspace.view
-    close = next(
-        (one, other)
-        for one, other in pairwise(document.gaps)
-        if one.marker == other.marker and 0 < one.start and other.start - one.stop < 5
-    )
+    view = workspace.view
+    close = close_pair(workspace)
     view.go_to(close[1])
     wait_for_preview(qtbot, workspace)
     alone = view.preview
@@ -154,6 +165,66 @@ def test_a_preview_never_leans_on_other_fills(opened: MainWindow, qtbot: QtBot) 
     assert alone.patch is not None
     assert again.patch is not None
     assert again.patch.values.tobytes() == alone.patch.values.tobytes()
+    assert again.patch.sigma.tobytes() == alone.patch.sigma.tobytes()
+
+
+def test_a_fill_that_is_out_of_date_is_dropped(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    wait_for_preview(qtbot, workspace)
+    with qtbot.waitSignal(workspace.message, check_params_cb=lambda text: "meanwhile" in text):
+        workspace.fill_all()
+        workspace.apply_preview()
+    assert workspace.document.undo_stack.count() == 1
+    assert len(workspace.document.repairs) == 1
+
+
+def test_only_the_last_choice_is_previewed(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    wait_for_preview(qtbot, workspace)
+    seen: list[str] = []
+    workspace.view.preview_changed.connect(lambda p: seen.append(p.method) if p else None)
+    for _ in range(4):
+        workspace.repair.step_method(1)
+        workspace.previewer._timer.stop()
+        workspace.previewer._start()
+    last = workspace.repair.method()[0]
+    qtbot.waitUntil(lambda: opened.jobs.running == 0, timeout=20_000)
+    assert seen == [last]
+
+
+def test_edits_during_an_export_stay_unsaved(
+    opened: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    workspace = workspace_of(opened)
+    wait_for_preview(qtbot, workspace)
+    opened.files.export(tmp_path / "early.c3d")
+    workspace.apply_preview()
+    qtbot.waitUntil(lambda: not opened.files.writing, timeout=20_000)
+    assert opened.isWindowModified()
+
+
+def test_closing_waits_for_the_file_that_is_written(
+    opened: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    out = tmp_path / "out.c3d"
+    opened.files.export(out)
+    opened.close()
+    assert opened.isVisible()
+    qtbot.waitUntil(lambda: not opened.isVisible(), timeout=20_000)
+    assert out.exists()
+
+
+def test_opening_a_file_does_not_change_the_remembered_limit(
+    open_in: Open, sprint: Path, gait: Path, settings: Settings
+) -> None:
+    settings.set(MAX_GAP_MS, 155.0)
+    window = open_in(sprint)
+    assert workspace_of(window).repair.max_gap() == 18
+    window = open_in(gait)
+    assert workspace_of(window).repair.max_gap() == 15
+    assert settings.get(MAX_GAP_MS) == 155.0
+    workspace_of(window).repair._max_gap.setValue(30)
+    assert settings.get(MAX_GAP_MS) == 300.0
 
 
 def test_the_limit_is_shown_in_ms_too(opened: MainWindow) -> None:

@@ -11,9 +11,6 @@ from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
-R90_PER_SIGMA = 2.5002777108094
-"""Radius of the 90 % ball of an isotropic 3-D Gaussian with unit SD: sqrt(chi2.ppf(0.9, 3))."""
-
 
 @dataclass(frozen=True, eq=False)
 class Patch:

@@ -22,8 +22,12 @@ def main(argv: Sequence[str]) -> int:
     for name, text in BENCHES.items():
         bench = commands.add_parser(name, help=text, description=text)
         bench.add_argument("--json", action="store_true", help="print the table as JSON")
-        bench.add_argument("--runs", type=int, default=5, help="counted runs (median is shown)")
-        bench.add_argument("--frames", type=int, default=100_000, help="frames of the recording")
+        bench.add_argument(
+            "--runs", type=_positive, default=5, help="counted runs (median is shown)"
+        )
+        bench.add_argument(
+            "--frames", type=_frames, default=100_000, help="frames of the recording"
+        )
     arguments = parser.parse_args(argv)
     module = import_module(f"mocapmend.bench.{arguments.bench}")
     table: Table = module.run(frames=arguments.frames, runs=arguments.runs)
@@ -33,3 +37,18 @@ def main(argv: Sequence[str]) -> int:
     else:
         sys.stdout.write(table.as_markdown())
     return 0
+
+
+def _positive(text: str) -> int:
+    return _at_least(text, 1)
+
+
+def _frames(text: str) -> int:
+    return _at_least(text, 100)
+
+
+def _at_least(text: str, least: int) -> int:
+    value = int(text)
+    if value < least:
+        raise argparse.ArgumentTypeError(f"at least {least}, not {value}")
+    return value

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile
 from mocapmend_algorithms import Gap
@@ -34,6 +35,8 @@ def choose(source: C3DFile, words: Sequence[str] | None) -> frozenset[int]:
     # A label may hold a comma itself.
     parts = [part for word in words for part in ([word] if word in labels else word.split(","))]
     wanted = {part.strip() for part in parts} - {""}
+    if not wanted:
+        raise UsageError("--markers names no marker")
     unknown = sorted(wanted.difference(labels))
     if unknown:
         known = list(dict.fromkeys(labels))

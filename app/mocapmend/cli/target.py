@@ -6,6 +6,7 @@ from pathlib import Path
 
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
+from mocapmend.files import same_file
 
 
 def choose(arguments: argparse.Namespace) -> Path:
@@ -22,13 +23,13 @@ def choose(arguments: argparse.Namespace) -> Path:
     out: Path | None = arguments.output
     report: Path | None = arguments.report
     if arguments.in_place:
-        if out is not None and not same(out, source):
+        if out is not None and not same_file(out, source):
             raise UsageError("--in-place replaces IN itself: give no other OUT")
         out = source
     elif out is None:
         raise UsageError("give -o OUT for the repaired copy, or --in-place to replace IN")
     else:
-        if same(out, source):
+        if same_file(out, source):
             raise MocapmendError(
                 "This is the recording itself.",
                 str(out),
@@ -36,20 +37,12 @@ def choose(arguments: argparse.Namespace) -> Path:
             )
         _check_place(out, overwrite=arguments.overwrite)
     if report is not None:
-        if same(report, source) or same(report, out):
+        if same_file(report, source) or same_file(report, out):
             raise MocapmendError(
                 "The report would replace the recording.", str(report), "Choose another name."
             )
         _check_place(report, overwrite=arguments.overwrite)
     return out
-
-
-def same(first: Path, second: Path) -> bool:
-    """Say whether two paths are one file, through links too; neither need exist."""
-    try:
-        return first.samefile(second)
-    except OSError:
-        return os.path.realpath(first) == os.path.realpath(second)
 
 
 def _check_place(path: Path, *, overwrite: bool) -> None:

@@ -1,5 +1,6 @@
 """Reading, saving and comparing files; no Qt."""
 
+from mocapmend.files.atomic import same_file
 from mocapmend.files.c3d_encode import SampleRun
 from mocapmend.files.c3d_labels import Event
 from mocapmend.files.c3d_layout import Layout
@@ -20,5 +21,6 @@ __all__ = [
     "check_files",
     "confirm_with_c3d",
     "read_c3d",
+    "same_file",
     "save_patched",
 ]

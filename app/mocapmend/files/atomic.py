@@ -32,6 +32,10 @@ def write_atomically(
         left behind and a file that was there is untouched.
     """
     target = Path(os.path.realpath(target))
+    if target.exists() and not target.is_file():
+        raise MocapmendError(
+            "There is a folder or a device of this name.", str(target), "Choose another name."
+        )
     temporary = target.with_name(f".mocapmend-{secrets.token_hex(8)}.tmp")
     try:
         _write_through(temporary, target, write)
@@ -43,6 +47,14 @@ def write_atomically(
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
     _sync_folder(target.parent)
+
+
+def same_file(first: Path, second: Path) -> bool:
+    """Say whether two paths are one file, through links too; neither need exist."""
+    try:
+        return first.samefile(second)
+    except OSError:
+        return os.path.realpath(first) == os.path.realpath(second)
 
 
 def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], None]) -> None:

@@ -12,6 +12,8 @@ import numpy as np
 from mocapmend.files.c3d_numbers import Processor, decode_floats
 from mocapmend.files.c3d_parameters import Parameters
 
+MOST_FIRST = 1_000_000_000
+"""No recording is that long: a larger number of the first frame is damage."""
 BLOCK = 512
 ASSUMED_RATE = 100.0
 
@@ -104,6 +106,12 @@ def first_frame(header: Header, parameters: Parameters, warnings: list[str]) -> 
     """Return the number of the first frame; the header's has only 16 bits."""
     stated = _two_words(parameters, "TRIAL:ACTUAL_START_FIELD")
     if stated is None:
+        return header.first
+    if stated > MOST_FIRST:
+        warnings.append(
+            f"TRIAL:ACTUAL_START_FIELD says that the first frame is {stated}; the header's "
+            f"{header.first} is used."
+        )
         return header.first
     if header.first not in {stated % 65536, 65535}:
         warnings.append(

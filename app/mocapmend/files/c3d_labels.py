@@ -48,7 +48,11 @@ def point_labels(layout: Layout, warnings: list[str]) -> tuple[str, ...]:
         labels += tuple(f"point {i}" for i in range(len(stated) + 1, layout.points + 1))
     repeated = len(labels) - len(set(labels))
     if repeated:
-        warnings.append(f"{repeated} points have the label of another point.")
+        warnings.append(
+            "1 point has the label of another point."
+            if repeated == 1
+            else f"{repeated} points have the label of another point."
+        )
     return labels
 
 

@@ -1,9 +1,6 @@
 """Saving repairs: the bytes of the source, in which only the repaired samples are replaced."""
 
-import os
-import stat
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
@@ -12,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files.atomic import write_atomically
+from mocapmend.files.atomic import same_file, write_atomically
 from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_reader import C3DFile, changed_on_disk, open_c3d
@@ -95,7 +92,10 @@ def save_patched(
             "Confirm that you want to save it all the same (--accept-truncated).",
         )
     out = Path(out)
-    _check_target(source, out, replace_source=replace_source)
+    if not replace_source and same_file(out, source.path):
+        raise MocapmendError(
+            "This is the file that the data come from.", str(out), "Choose another name."
+        )
     slots = encode_runs(source, runs)
 
     def verify(copy: Path) -> None:
@@ -109,23 +109,6 @@ def save_patched(
         verify,
     )
     return Saved(out, len(slots), slots.notes)
-
-
-def _check_target(source: C3DFile, out: Path, *, replace_source: bool) -> None:
-    same = blocked = False
-    # What else may be wrong with the place shows when it is written to.
-    with suppress(OSError):
-        status = out.stat()
-        blocked = not stat.S_ISREG(status.st_mode)
-        same = os.path.samestat(status, source.path.stat())
-    if same and not replace_source:
-        raise MocapmendError(
-            "This is the file that the data come from.", str(out), "Choose another name."
-        )
-    if blocked:
-        raise MocapmendError(
-            "There is a folder or a device of this name.", str(out), "Choose another name."
-        )
 
 
 def _write(

@@ -15,10 +15,12 @@ from mocapmend.files.c3d_layout import Layout, read_layout
 from mocapmend.files.c3d_reader import open_c3d
 from mocapmend.files.c3d_samples import (
     Piece,
+    Words,
     marked_missing,
     point_slots,
     point_words,
     read_pieces,
+    unmarked_missing,
 )
 from mocapmend_algorithms.gaps import runs
 
@@ -50,7 +52,8 @@ class CheckReport:
     Attributes
     ----------
     changed : tuple of ChangedRun
-        Marker samples that differ, ordered by point and frame.
+        Marker samples that differ, ordered by point and frame; those that may not differ are also
+        among the other differences.
     changed_samples : int
         How many they are.
     other_differences : tuple of str
@@ -66,7 +69,7 @@ class CheckReport:
 
     @property
     def passed(self) -> bool:
-        """Whether nothing but marker samples differs."""
+        """Whether nothing differs but marker samples that were missing and are filled."""
         return not self.other_differences
 
     @property
@@ -88,7 +91,9 @@ class _Findings:
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self.changed = np.zeros((layout.frames, layout.points), np.bool_)
-        self.unmarked = np.zeros((layout.frames, layout.points), np.bool_)
+        self.measured = np.zeros_like(self.changed)
+        self.unmarked = np.zeros_like(self.changed)
+        self.empty = np.zeros_like(self.changed)
         self.analog = np.zeros(layout.channels, np.int64)
         self.places: Counter[str] = Counter()
         self._parts = _parts(layout)
@@ -107,12 +112,20 @@ class _Findings:
         # Wider words than bytes: a quarter of the time.
         slots = _differs(point_slots(before.raw, layout), point_slots(after.raw, layout), 8)
         self.changed[here] = slots.any(axis=2)
-        fourth = np.ascontiguousarray(point_words(after.raw, layout)[..., 3])
-        self.unmarked[here] = self.changed[here] & (fourth != 0) & ~marked_missing(fourth)
+        words = point_words(after.raw, layout)
+        self.measured[here] = self.changed[here] & ~_missing(point_words(before.raw, layout))
+        self.unmarked[here] = self.changed[here] & (words[..., 3] != 0)
+        self.empty[here] = self.changed[here] & _missing(words)
         if layout.channels:
             start = layout.points * layout.slot
             values = _differs(before.raw[:, start:], after.raw[:, start:], layout.word)
             self.analog += values.reshape(-1, layout.channels).sum(axis=0)
+
+
+def _missing(words: Words) -> NDArray[np.bool_]:
+    marked = marked_missing(np.ascontiguousarray(words[..., 3]))
+    missing: NDArray[np.bool_] = marked | unmarked_missing(words, marked)
+    return missing
 
 
 def _differs(before: NDArray[np.uint8], after: NDArray[np.uint8], size: int) -> NDArray[np.bool_]:
@@ -138,8 +151,8 @@ def _parts(layout: Layout) -> list[tuple[int, str]]:
 def check_files(original: Path, repaired: Path) -> CheckReport:
     """Compare two files, byte by byte.
 
-    Only samples of markers may differ, and only if the repaired file marks them as computed
-    (fourth word 0) or as missing.
+    Only samples of markers may differ that the original lacks, and only if the repaired file has
+    them and marks them as computed (fourth word 0).
 
     Raises
     ------
@@ -201,12 +214,17 @@ def _sentences(
             yield (
                 f"Model output {labels[point]}: {count} samples differ, the first at frame {first}."
             )
-        elif found.unmarked[:, point].any():
-            count, first = _extent(found.unmarked[:, point], layout)
-            yield (
-                f"Marker {labels[point]}: {count} changed samples are marked neither as computed "
-                f"(fourth word 0) nor as missing, the first at frame {first}."
-            )
+            continue
+        for wrong, what in (
+            (found.measured, "differ although they were measured"),
+            (found.empty, "differ, but are still missing"),
+            (found.unmarked, "differ, but are not marked as computed (fourth word 0)"),
+        ):
+            if wrong[:, point].any():
+                count, first = _extent(wrong[:, point], layout)
+                yield (
+                    f"Marker {labels[point]}: {count} samples {what}, the first at frame {first}."
+                )
     names = analog_labels(layout)
     for channel in np.flatnonzero(found.analog).tolist():
         yield f"Analog channel {names[channel]}: {found.analog[channel]} values differ."

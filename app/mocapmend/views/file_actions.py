@@ -2,14 +2,15 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from mocapmend import engine
 from mocapmend.document import Document
-from mocapmend.files import C3DFile
+from mocapmend.files import C3DFile, same_file
+from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend_algorithms.skeleton import Skeleton
 
@@ -30,6 +31,16 @@ class FileActions(QObject):
         super().__init__(window)
         self._window = window
         self._loading = False
+        self._writing: list[Job] = []
+
+    @property
+    def writing(self) -> bool:
+        """Whether a file is being written."""
+        return bool(self._writing)
+
+    def when_written(self, then: Callable[[], object]) -> None:
+        """Go on when the files that are being written are complete."""
+        self._writing[-1].ended.connect(then)
 
     def ask_and_open(self) -> None:
         """Let the user choose a recording and open it."""
@@ -45,10 +56,11 @@ class FileActions(QObject):
     def open(self, path: Path) -> None:
         """Open a recording; the present one stays until the new one is fully read."""
         if self._loading:
+            self._window.say(self.tr("Still opening the file before: try again."))
             return
-        self._loading = True
         title = self.tr("Opening {0}").format(path.name)
         job = self._window.jobs.read_or_write(title, engine.load, path)
+        self._loading = True
         job.finished.connect(lambda loaded: self._adopt(*loaded))
         job.failed.connect(self._window.show_error)
         job.ended.connect(self._end_loading)
@@ -76,7 +88,7 @@ class FileActions(QObject):
         """Write the repaired recording, after asking about what cannot be taken back."""
         assert self._window.workspace is not None
         document = self._window.workspace.document
-        replaces = path.exists() and path.samefile(document.source.path)
+        replaces = same_file(path, document.source.path)
         if replaces and not self._confirm_replacing(path):
             return
         if document.source.truncated and not self._confirm(
@@ -84,7 +96,7 @@ class FileActions(QObject):
             self.tr("The file ends before its data do. The copy will be as short as the original."),
         ):
             return
-        job = self._window.jobs.read_or_write(
+        job = self._write(
             self.tr("Exporting {0}").format(path.name),
             engine.export,
             document.source,
@@ -95,7 +107,6 @@ class FileActions(QObject):
         )
         index = document.undo_stack.index()
         job.finished.connect(lambda done: self._exported(document, index, done, then))
-        job.failed.connect(self._window.show_error)
 
     def ask_and_save_report(self) -> None:
         """Let the user choose where the HTML report goes, and write it there."""
@@ -111,7 +122,7 @@ class FileActions(QObject):
         )
         if not path:
             return
-        job = self._window.jobs.read_or_write(
+        job = self._write(
             self.tr("Writing the report"),
             engine.write_report,
             *workspace.report_inputs(),
@@ -119,7 +130,6 @@ class FileActions(QObject):
         )
         written = self.tr("Report written to {0}").format(Path(path).name)
         job.finished.connect(lambda _: self._window.say(written))
-        job.failed.connect(self._window.show_error)
 
     def after_saving(self, then: Callable[[], None]) -> None:
         """Go on with what ends the present document, once its edits are saved or given up."""
@@ -141,6 +151,13 @@ class FileActions(QObject):
             self.ask_and_export(then)
         elif answer == buttons.Discard:
             then()
+
+    def _write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
+        job = self._window.jobs.read_or_write(title, function, *args)
+        self._writing.append(job)
+        job.ended.connect(lambda: self._writing.remove(job))
+        job.failed.connect(self._window.show_error)
+        return job
 
     def _end_loading(self) -> None:
         self._loading = False
@@ -169,7 +186,7 @@ class FileActions(QObject):
         if workspace is not None and workspace.document is document:
             if document.undo_stack.index() == index:
                 workspace.saved_as(exported)
-            if then is None and path.samefile(document.source.path):
+            if then is None and same_file(path, document.source.path):
                 self.open(path)
         self._window.say(
             self.tr("Exported {0}: {1} samples repaired, all else is the same.").format(
@@ -177,7 +194,8 @@ class FileActions(QObject):
             )
         )
         if then is not None:
-            then()
+            # Asks again if there were edits in the meantime.
+            self.after_saving(then)
 
     def _confirm_replacing(self, path: Path) -> bool:
         return self._confirm(

@@ -10,11 +10,11 @@ PATIENCE_MS = 250
 
 
 class JobIndicator(QWidget):
-    """Shows the newest job that takes longer than a moment."""
+    """Shows the newest of the jobs that take longer than a moment."""
 
     def __init__(self, jobs: Jobs, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._job: Job | None = None
+        self._jobs: list[Job] = []
         self._title = QLabel()
         self._bar = QProgressBar()
         self._bar.setRange(0, 100)
@@ -36,23 +36,29 @@ class JobIndicator(QWidget):
         self.hide()
 
     def _follow(self, job: Job) -> None:
-        self._job = job
-        self._title.setText(job.title)
-        self._bar.setValue(0)
+        self._jobs.append(job)
         job.progressed.connect(lambda share: self._show_progress(job, share))
         job.ended.connect(lambda: self._leave(job))
-        self._patience.start()
-
-    def _show_progress(self, job: Job, share: float) -> None:
-        if job is self._job:
-            self._bar.setValue(round(100 * share))
+        self._show_newest()
 
     def _leave(self, job: Job) -> None:
-        if job is self._job:
-            self._job = None
+        self._jobs.remove(job)
+        self._show_newest()
+
+    def _show_newest(self) -> None:
+        if not self._jobs:
             self._patience.stop()
             self.hide()
+            return
+        self._title.setText(self._jobs[-1].title)
+        self._bar.setValue(0)
+        if not (self.isVisible() or self._patience.isActive()):
+            self._patience.start()
+
+    def _show_progress(self, job: Job, share: float) -> None:
+        if job is self._jobs[-1]:
+            self._bar.setValue(round(100 * share))
 
     def _stop(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
+        if self._jobs:
+            self._jobs[-1].cancel()

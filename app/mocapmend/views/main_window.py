@@ -269,7 +269,7 @@ class MainWindow(QMainWindow):
         has = {
             "nothing": True,
             "document": workspace is not None,
-            "markers": workspace is not None and workspace.document.original.markers > 0,
+            "markers": workspace is not None and workspace.document.repairable,
         }
         for spec in ACTIONS:
             self.actions_by_id[spec.id].setEnabled(has[spec.needs])
@@ -352,6 +352,11 @@ class MainWindow(QMainWindow):
         if self.workspace is not None and not self.workspace.document.undo_stack.isClean():
             event.ignore()
             self.files.after_saving(self._close_for_good)
+            return
+        if self.files.writing:
+            event.ignore()
+            self.say(self.tr("The window closes when the file is written."))
+            self.files.when_written(self.close)
             return
         self.settings.set(GEOMETRY, bytes(self.saveGeometry().data()))
         self.drop_workspace()

@@ -1,5 +1,6 @@
 """Computes the repair of the current gap in the background and drops what is out of date."""
 
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -69,11 +70,15 @@ class Previewer(QObject):
             params,
         )
         job.finished.connect(lambda result: self._show(gap, method, params, result))
+        none = partial(Preview, gap, method, params, None)
+        job.cancelled.connect(
+            lambda: self._view.set_preview(none(self.tr("the preview was cancelled")))
+        )
+        job.failed.connect(lambda _: self._view.set_preview(none(self.tr("the preview failed"))))
         job.failed.connect(self.failed)
         self._job = job
 
     def _show(self, gap: Gap, method: str, params: object, result: FillResult) -> None:
-        self._job = None
         if result.patches:
             preview = Preview(
                 gap, method, params, result.patches[0], note=result.notes.get(gap, {})

@@ -155,7 +155,7 @@ class RepairPanel(QScrollArea):
         self._max_gap.setRange(0, max(1, self._document.original.frames))
         self._max_gap.setAccessibleName(self.tr("Longest gap in frames"))
         self._max_gap.setValue(int(self._settings.get(MAX_GAP_MS) * rate / 1000.0 + 1e-6))
-        self._max_gap.valueChanged.connect(self._show_limit)
+        self._max_gap.valueChanged.connect(self._remember_limit)
         self._limit_error = QCheckBox(self.tr("expected error"))
         self._limit_error.setChecked(self._settings.get(LIMIT_ERROR))
         self._limit_error.toggled.connect(lambda on: self._settings.set(LIMIT_ERROR, on))
@@ -185,10 +185,16 @@ class RepairPanel(QScrollArea):
 
     # --- what it shows -----------------------------------------------------------------------
 
+    def _limit_ms(self) -> float:
+        return 1000.0 * self._max_gap.value() / self._document.original.rate
+
     def _show_limit(self) -> None:
-        ms = 1000.0 * self._max_gap.value() / self._document.original.rate
-        self._max_gap.setSuffix(self.tr(" frames ({0} ms)").format(round(ms)))
-        self._settings.set(MAX_GAP_MS, ms)
+        self._max_gap.setSuffix(self.tr(" frames ({0} ms)").format(round(self._limit_ms())))
+
+    def _remember_limit(self) -> None:
+        """Keep what the user has chosen; what a recording's rate makes of it is not a choice."""
+        self._show_limit()
+        self._settings.set(MAX_GAP_MS, self._limit_ms())
 
     def _show_method(self) -> None:
         method = METHODS[str(self._method.currentData())]

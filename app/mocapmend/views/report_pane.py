@@ -105,7 +105,6 @@ class ReportPane(QWidget):
         self._job = job
 
     def _show(self, result: Report) -> None:
-        self._job = None
         self.report = result
         self._fill_table()
         self._draw_success()

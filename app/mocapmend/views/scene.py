@@ -221,10 +221,9 @@ class Scene(QWidget):
         }
         for state, colour in colours.items():
             self._draw_points(painter, pixels[drawn & (states == state)], colour, 6.0)
-        chosen = [m for m in self._view.selection if drawn[m]]
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for order, marker in enumerate(self._view.selection):
-            if marker in chosen:
+            if drawn[marker]:
                 painter.setPen(QPen(QColor(self._curve_colour(order)), 2))
                 painter.drawEllipse(QPointF(*pixels[marker]), 7.0, 7.0)
 

@@ -1,7 +1,7 @@
 """The timeline: one lane per marker, what is missing or repaired, and the playhead."""
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QHelpEvent,
@@ -37,8 +37,6 @@ NO_LANE = len(SampleState)
 
 class Timeline(QAbstractScrollArea):
     """Lanes of all markers over the visible frames; a click scrubs, a wheel zooms."""
-
-    gap_activated = Signal(object)
 
     def __init__(
         self, document: Document, view: ViewState, theme: Theme, parent: QWidget | None = None

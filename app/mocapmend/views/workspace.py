@@ -275,7 +275,7 @@ class Workspace(QMainWindow):
     def _arrange(self) -> None:
         self.setDockNestingEnabled(True)
         self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
-        if self.document.original.markers == 0:
+        if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
             return
         middle = QSplitter(Qt.Orientation.Horizontal)
@@ -323,7 +323,7 @@ class Workspace(QMainWindow):
             held.append(self.tr("{0} model outputs").format(len(source.model_outputs)))
         label = QLabel(
             self.tr(
-                "This file has no markers: there is nothing to repair.\n\nIt holds {0}."
+                "This file has no marker samples: there is nothing to repair.\n\nIt holds {0}."
             ).format(", ".join(held) or self.tr("nothing that can be shown"))
         )
         label.setAlignment(Qt.AlignmentFlag.AlignCenter)

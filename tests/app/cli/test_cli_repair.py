@@ -320,6 +320,27 @@ def test_in_place_replaces_the_recording(
     assert proof["changed_samples"] == 5
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
+def test_a_pipe_is_not_replaced(run_json: Json, holed: Path, tmp_path: Path) -> None:
+    pipe, out = tmp_path / "pipe", tmp_path / "out.c3d"
+    os.mkfifo(pipe)
+    for arguments in (("-o", pipe), ("-o", out, "--report", pipe)):
+        code, document = run_json("repair", holed, *arguments, "--overwrite")
+        assert code == 1
+        assert "device" in document["error"]["what"]
+    assert pipe.is_fifo()
+
+
+@pytest.mark.parametrize("words", ["", ",", " , "])
+def test_markers_that_name_none_are_wrong_usage(
+    run_json: Json, holed: Path, out: Path, words: str
+) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        run_json("repair", holed, "-o", out, "--markers", words)
+    assert stopped.value.code == 2
+    assert not out.exists()
+
+
 def test_folders_and_missing_folders(run_json: Json, holed: Path, tmp_path: Path) -> None:
     for name in (tmp_path, tmp_path / "nowhere" / "out.c3d"):
         code, document = run_json("repair", holed, "-o", name)
