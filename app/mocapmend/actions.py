@@ -106,6 +106,12 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("Return", "Enter"),
     ),
     ActionSpec(
+        "apply_next",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Apply and go to the next gap"),
+        ("Shift+Return", "Shift+Enter"),
+    ),
+    ActionSpec(
         "fill_all",
         "Gaps",
         QT_TRANSLATE_NOOP("Actions", "Fill all gaps up to the limit"),
@@ -194,7 +200,9 @@ def make_actions(parent: QObject) -> Mapping[str, QAction]:
     for spec in ACTIONS:
         action = QAction(text_of(spec), parent)
         action.setObjectName(spec.id)
-        action.setShortcuts([QKeySequence(key) for key in spec.keys])
+        # By their texts: a key that is listed twice is ambiguous, and then does nothing.
+        sequences = [QKeySequence(key) for key in spec.keys]
+        action.setShortcuts(list({keys.toString(): keys for keys in sequences}.values()))
         action.setCheckable(spec.checkable)
         keys = ", ".join(key_texts(action))
         action.setToolTip(f"{text_of(spec)} ({keys})" if keys else text_of(spec))
@@ -205,5 +213,4 @@ def make_actions(parent: QObject) -> Mapping[str, QAction]:
 def key_texts(action: QAction) -> list[str]:
     """Return an action's shortcuts as this platform writes them."""
     native = QKeySequence.SequenceFormat.NativeText
-    texts = (keys.toString(native) for keys in action.shortcuts() if not keys.isEmpty())
-    return list(dict.fromkeys(texts))
+    return [keys.toString(native) for keys in action.shortcuts() if not keys.isEmpty()]

@@ -130,6 +130,16 @@ class Document(QObject):
         """Return the open gaps of one marker, by start."""
         return self._gaps[marker]
 
+    def gap_near(self, marker: int, frame: float, reach: float = 0.0) -> Gap | None:
+        """Return the gap of a marker, open or repaired, at a frame or nearest within a reach."""
+        repaired = (gap for gap in self.repairs if gap.marker == marker)
+        near = (
+            gap
+            for gap in (*self._gaps[marker], *repaired)
+            if gap.start - reach <= frame < gap.stop + reach
+        )
+        return min(near, key=lambda gap: abs((gap.start + gap.stop) / 2.0 - frame), default=None)
+
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
         """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
         return self._runs[marker][state]

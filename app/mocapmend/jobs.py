@@ -25,6 +25,8 @@ from mocapmend.shared_recording import start_tracker
 from mocapmend_algorithms import Cancelled
 
 SLOTS = 32
+WORKERS = 2
+"""One for what takes long, one for the preview that the user waits for."""
 POLL_MS = 30
 
 _board: "Board | None" = None
@@ -87,6 +89,7 @@ class Job(QObject):
         super().__init__(parent)
         self.title = title
         self.slot = slot
+        self.quiet = False
         self._board = board
         self._future: Future[Any] | None = None
         self._held: tuple[Any, ...] = ()
@@ -168,15 +171,20 @@ class Jobs(QObject):
         """Number of jobs that have not ended."""
         return len(self._running)
 
-    def compute(self, title: str, function: Callable[..., Any], *args: object) -> Job:
-        """Run `function(*args, progress)` in the worker process; it must be importable there."""
+    def compute(
+        self, title: str, function: Callable[..., Any], *args: object, quiet: bool = False
+    ) -> Job:
+        """Run `function(*args, progress)` in a worker process; it must be importable there.
+
+        A quiet job is one that nobody asked for in so many words: it is not shown as running.
+        """
         slot = self._take_slot(title)
         try:
             future = self._pool().submit(_call_in_process, slot, function, args)
         except BrokenProcessPool:
             self._processes = None
             future = self._pool().submit(_call_in_process, slot, function, args)
-        return self._start(title, slot, future, args)
+        return self._start(title, slot, future, args, quiet=quiet)
 
     def read_or_write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Run `function(*args, progress)` in a thread: for files, which wait more than compute."""
@@ -202,7 +210,7 @@ class Jobs(QObject):
     def _pool(self) -> ProcessPoolExecutor:
         if self._processes is None:
             self._processes = ProcessPoolExecutor(
-                max_workers=1,
+                max_workers=WORKERS,
                 mp_context=multiprocessing.get_context("spawn"),
                 initializer=_adopt,
                 initargs=(self._board,),
@@ -219,8 +227,17 @@ class Jobs(QObject):
         self._board.cancel[slot] = 0
         return slot
 
-    def _start(self, title: str, slot: int, future: Future[Any], held: tuple[Any, ...]) -> Job:
+    def _start(
+        self,
+        title: str,
+        slot: int,
+        future: Future[Any],
+        held: tuple[Any, ...],
+        *,
+        quiet: bool = False,
+    ) -> Job:
         job = Job(title, self._board, slot, self)
+        job.quiet = quiet
         job.ended.connect(lambda: self._retire(job))
         self._running[slot] = job
         self._timer.start()

@@ -1,6 +1,7 @@
 """What the program remembers between runs: one table, typed reads, nothing pickled."""
 
 import json
+import math
 from dataclasses import dataclass
 from typing import Generic, TypeVar, cast
 
@@ -51,6 +52,10 @@ class Settings:
         recent = [path, *(known for known in self.get(RECENT_FILES) if known != path)]
         self.set(RECENT_FILES, recent[:RECENT_LIMIT])
 
+    def forget_file(self, path: str) -> None:
+        """Take a file out of the recent files."""
+        self.set(RECENT_FILES, [known for known in self.get(RECENT_FILES) if known != path])
+
 
 def _decode(raw: object, default: object) -> object:
     """Return a stored value of the default's type, or None when it is not one."""
@@ -60,8 +65,10 @@ def _decode(raw: object, default: object) -> object:
         value = json.loads(raw) if isinstance(raw, str) else None
     except ValueError:
         return None
-    if isinstance(default, float) and type(value) is int:
-        return float(value)
+    if isinstance(default, float):
+        if not isinstance(value, (int, float)) or isinstance(value, bool):
+            return None
+        return float(value) if math.isfinite(value) else None
     if isinstance(value, list) and not all(isinstance(item, str) for item in value):
         return None
     return value if type(value) is type(default) else None

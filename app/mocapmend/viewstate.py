@@ -73,6 +73,9 @@ class ViewState(QObject):
         if markers != self.selection:
             self.selection = markers
             self.selection_changed.emit(markers)
+            # Nobody shall repair a gap of a marker that is out of sight.
+            if self.gap is not None and self.gap.marker not in markers:
+                self.set_gap(None)
 
     def toggle(self, marker: int) -> None:
         """Add a marker to the selection, or take it out."""
@@ -98,6 +101,14 @@ class ViewState(QObject):
         """Choose the visible range so that a run takes about a third of it."""
         margin = max(stop - start, 15)
         self.set_visible(start - margin, stop + margin)
+
+    def keep_in_view(self) -> None:
+        """Turn the page when the playhead has left the visible range."""
+        start, stop = self.visible
+        if self.frame >= stop:
+            self.set_visible(self.frame, self.frame + stop - start)
+        elif self.frame < start:
+            self.set_visible(self.frame + 1 - (stop - start), self.frame + 1)
 
     def set_preview(self, preview: Preview | None) -> None:
         """Show a repair without applying it, or none."""

@@ -18,6 +18,8 @@ def test_ids_and_keys_are_unique(window: MainWindow) -> None:
         key for action in window.actions_by_id.values() for key in set(key_texts(action))
     )
     assert {key for key, count in keys.items() if count > 1} == set()
+    for action in window.actions_by_id.values():
+        assert len(key_texts(action)) == len(set(key_texts(action)))
 
 
 def test_every_action_is_in_its_menu_and_does_something(window: MainWindow) -> None:

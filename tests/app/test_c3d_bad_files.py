@@ -111,9 +111,9 @@ def test_a_source_that_changed_is_noticed(tmp_path: Path) -> None:
     path.write_bytes(encode(Synthetic(walk(), analog=np.ones((40, 1, 2)))))
     file = read_c3d(path)
     path.write_bytes(encode(Synthetic(walk(41), analog=np.ones((41, 1, 2)))))
-    with pytest.raises(MocapmendError, match="changed since it was read"):
+    with pytest.raises(MocapmendError, match="changed since it was opened"):
         file.read_analog()
-    with pytest.raises(MocapmendError, match="changed since it was read"):
+    with pytest.raises(MocapmendError, match="changed since it was opened"):
         save_patched(file, [], tmp_path / "out.c3d")
     assert [entry.name for entry in tmp_path.iterdir()] == ["file.c3d"]
 

@@ -12,6 +12,7 @@ from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.state import SampleState
 from mocapmend.theme import DARK, LIGHT, THEMES, Theme
+from mocapmend.views.lane import alone_in
 from mocapmend.views.scene import Scene
 from mocapmend.views.timeline import Timeline
 from mocapmend.views.trajectories import Trajectories
@@ -141,6 +142,12 @@ def test_every_fixed_view_shows_the_body(
     seen = pixels[np.isfinite(pixels[:, 0])]
     inside = (seen >= 0).all(axis=1) & (seen[:, 0] < SIZE[0]) & (seen[:, 1] < SIZE[1])
     assert inside.mean() > 0.9
+
+
+def test_a_sample_alone_between_gaps_is_marked() -> None:
+    nan = np.nan
+    values = np.array([1.0, nan, 2.0, 3.0, nan, nan, 4.0])
+    assert alone_in(values).tolist() == [True, False, False, False, False, False, True]
 
 
 def luminance(colour: str) -> float:

@@ -36,6 +36,12 @@ def test_a_value_comes_back_with_its_type(
     assert type(again.get(setting)) is type(value)
 
 
+@pytest.mark.parametrize("nonsense", ["NaN", "Infinity", "1e400", "-Infinity", "true"])
+def test_a_number_is_finite(settings: Settings, nonsense: str) -> None:
+    settings._store.setValue(MAX_GAP_MS.key, nonsense)
+    assert settings.get(MAX_GAP_MS) == MAX_GAP_MS.default
+
+
 @pytest.mark.parametrize("nonsense", ["{", "[1, 2]", "null", '"text"', "12"])
 def test_nonsense_counts_as_not_chosen(settings: Settings, nonsense: str) -> None:
     for setting in (LIMIT_ERROR, RECENT_FILES, GEOMETRY):

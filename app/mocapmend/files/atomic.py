@@ -32,12 +32,12 @@ def write_atomically(
         left behind and a file that was there is untouched.
     """
     target = Path(os.path.realpath(target))
-    if target.exists() and not target.is_file():
-        raise MocapmendError(
-            "There is a folder or a device of this name.", str(target), "Choose another name."
-        )
     temporary = target.with_name(f".mocapmend-{secrets.token_hex(8)}.tmp")
     try:
+        if target.exists() and not target.is_file():
+            raise MocapmendError(
+                "There is a folder or a device of this name.", str(target), "Choose another name."
+            )
         _write_through(temporary, target, write)
         verify(temporary)
         temporary.replace(target)

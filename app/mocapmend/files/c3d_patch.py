@@ -92,6 +92,12 @@ def save_patched(
             "Confirm that you want to save it all the same (--accept-truncated).",
         )
     out = Path(out)
+    if not source.path.exists():
+        raise MocapmendError(
+            "The original is not there any more; saving copies its bytes.",
+            str(source.path),
+            "Put it back under this name, then save again.",
+        )
     if not replace_source and same_file(out, source.path):
         raise MocapmendError(
             "This is the file that the data come from.", str(out), "Choose another name."

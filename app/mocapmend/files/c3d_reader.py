@@ -114,7 +114,11 @@ class C3DFile:
 
 def changed_on_disk(path: Path) -> MocapmendError:
     """Return the error for a file that is not as it was when it was read."""
-    return MocapmendError("The file was changed since it was read.", str(path), "Open it again.")
+    return MocapmendError(
+        "The original was changed since it was opened.",
+        str(path),
+        "Put the former file back under this name to save the repairs, or open it again.",
+    )
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """Start of the window."""
 
 import logging
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -38,6 +39,8 @@ def run(paths: Sequence[Path]) -> int:
 
     # An exception in a slot does not end the event loop: without this nobody would see it.
     sys.excepthook = show_unexpected
+    # Python sees Ctrl+C in the terminal only between its own steps, and Qt takes few.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     window.show()
     if paths:
         window.files.open(paths[0])

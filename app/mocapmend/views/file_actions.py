@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from mocapmend import engine
@@ -12,6 +12,7 @@ from mocapmend.document import Document
 from mocapmend.files import C3DFile, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
+from mocapmend.views.samples import is_sample
 from mocapmend_algorithms.skeleton import Skeleton
 
 if TYPE_CHECKING:
@@ -61,8 +62,12 @@ class FileActions(QObject):
         title = self.tr("Opening {0}").format(path.name)
         job = self._window.jobs.read_or_write(title, engine.load, path)
         self._loading = True
-        job.finished.connect(lambda loaded: self._adopt(*loaded))
+        # Later: a question must not hold up the end of the job.
+        job.finished.connect(
+            lambda loaded: QTimer.singleShot(0, self, lambda: self._adopt(*loaded))
+        )
         job.failed.connect(self._window.show_error)
+        job.failed.connect(lambda _: self._forget_if_gone(path))
         job.ended.connect(self._end_loading)
 
     def close(self) -> None:
@@ -74,15 +79,13 @@ class FileActions(QObject):
         if self._window.workspace is None:
             return
         source = self._window.workspace.document.source
-        proposed = source.path.with_name(f"{source.path.stem}_repaired{source.path.suffix}")
-        path, _ = QFileDialog.getSaveFileName(
-            self._window,
+        path = self._ask_where(
             self.tr("Export repaired recording"),
-            str(proposed),
+            f"{source.path.stem}_repaired{source.path.suffix}",
             self.tr("C3D recordings (*.c3d)"),
         )
-        if path:
-            self.export(Path(path), then)
+        if path is not None:
+            self.export(path, then)
 
     def export(self, path: Path, then: Callable[[], None] | None = None) -> None:
         """Write the repaired recording, after asking about what cannot be taken back."""
@@ -113,22 +116,19 @@ class FileActions(QObject):
         workspace = self._window.workspace
         if workspace is None:
             return
-        source = workspace.document.source
-        path, _ = QFileDialog.getSaveFileName(
-            self._window,
-            self.tr("Save report"),
-            str(source.path.with_name(f"{source.path.stem}_report.html")),
-            self.tr("HTML (*.html)"),
+        stem = workspace.document.source.path.stem
+        path = self._ask_where(
+            self.tr("Save report"), f"{stem}_report.html", self.tr("HTML (*.html)")
         )
-        if not path:
+        if path is None:
             return
         job = self._write(
             self.tr("Writing the report"),
             engine.write_report,
             *workspace.report_inputs(),
-            Path(path),
+            path,
         )
-        written = self.tr("Report written to {0}").format(Path(path).name)
+        written = self.tr("Report written to {0}").format(path)
         job.finished.connect(lambda _: self._window.say(written))
 
     def after_saving(self, then: Callable[[], None]) -> None:
@@ -152,12 +152,34 @@ class FileActions(QObject):
         elif answer == buttons.Discard:
             then()
 
+    def _ask_where(self, title: str, name: str, kinds: str) -> Path | None:
+        """Ask for the name of a new file, beside the recording unless that ships with us."""
+        assert self._window.workspace is not None
+        folder = self._window.workspace.document.source.path.parent
+        if is_sample(self._window.workspace.document.source.path):
+            folder = Path.home()
+        text, _ = QFileDialog.getSaveFileName(self._window, title, str(folder / name), kinds)
+        if not text:
+            return None
+        path = Path(text)
+        if path.suffix:
+            return path
+        path = path.with_suffix(Path(name).suffix)
+        replaces = self.tr("Replace {0}?").format(path.name)
+        if path.exists() and not self._confirm(replaces, self.tr("There is a file of this name.")):
+            return None
+        return path
+
     def _write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         job = self._window.jobs.read_or_write(title, function, *args)
         self._writing.append(job)
         job.ended.connect(lambda: self._writing.remove(job))
         job.failed.connect(self._window.show_error)
         return job
+
+    def _forget_if_gone(self, path: Path) -> None:
+        if not path.exists():
+            self._window.settings.forget_file(str(path))
 
     def _end_loading(self) -> None:
         self._loading = False
@@ -169,7 +191,8 @@ class FileActions(QObject):
         self._window.show_source(source, skeleton)
         path = source.path.resolve()
         self._window.settings.remember_file(str(path))
-        self._window.settings.set(LAST_FOLDER, str(path.parent))
+        if not is_sample(path):
+            self._window.settings.set(LAST_FOLDER, str(path.parent))
         self._window.say(self.tr("Opened {0}").format(path.name))
 
     def _exported(
@@ -189,8 +212,8 @@ class FileActions(QObject):
             if then is None and same_file(path, document.source.path):
                 self.open(path)
         self._window.say(
-            self.tr("Exported {0}: {1} samples repaired, all else is the same.").format(
-                path.name, exported.saved.samples
+            self.tr("Exported {0} to {1}: {2} samples repaired, all else is the same.").format(
+                path.name, path.parent, exported.saved.samples
             )
         )
         if then is not None:

@@ -16,7 +16,7 @@ _INK = b"#888888"
 def icon(name: str, theme: Theme) -> QIcon:
     """Return a line icon from the resources, drawn in the theme's colours."""
     result = QIcon()
-    for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Disabled, theme.line)):
+    for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Disabled, theme.bone)):
         svg = _source(name).replace(_INK, colour.encode())
         for size in SIZES:
             result.addPixmap(_pixmap(svg, size), mode)

@@ -1,10 +1,11 @@
 """The status bar's view of background work: what runs, how far, and a way to stop it."""
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from mocapmend.jobs import Job, Jobs
 
+TITLE_WIDTH = 240
 PATIENCE_MS = 250
 """What ends sooner is not shown: a flicker tells nothing."""
 
@@ -36,6 +37,8 @@ class JobIndicator(QWidget):
         self.hide()
 
     def _follow(self, job: Job) -> None:
+        if job.quiet:
+            return
         self._jobs.append(job)
         job.progressed.connect(lambda share: self._show_progress(job, share))
         job.ended.connect(lambda: self._leave(job))
@@ -50,7 +53,10 @@ class JobIndicator(QWidget):
             self._patience.stop()
             self.hide()
             return
-        self._title.setText(self._jobs[-1].title)
+        title = self._jobs[-1].title
+        self._title.setText(
+            self._title.fontMetrics().elidedText(title, Qt.TextElideMode.ElideMiddle, TITLE_WIDTH)
+        )
         self._bar.setValue(0)
         if not (self.isVisible() or self._patience.isActive()):
             self._patience.start()

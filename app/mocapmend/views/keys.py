@@ -2,27 +2,71 @@
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QComboBox, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QPushButton,
+    QWidget,
+)
 
-_SPACE = {Qt.Key.Key_Space}
 _ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
-_STEP = {Qt.Key.Key_Home, Qt.Key.Key_End}
+_CLAIMED: dict[type[QWidget], set[Qt.Key]] = {
+    QAbstractSpinBox: _ENTER | {Qt.Key.Key_Home, Qt.Key.Key_End},
+    QLineEdit: _ENTER,
+    QPushButton: _ENTER | {Qt.Key.Key_Space},
+    QAbstractButton: {Qt.Key.Key_Space},
+    QComboBox: {Qt.Key.Key_Space},
+}
+"""Which keys a kind of widget keeps; the first kind that fits counts."""
+_DONE = _ENTER | {Qt.Key.Key_Escape}
 
 
 class KeyGuard(QObject):
-    """Lets Space press a focused button and Enter commit a number, instead of their shortcuts."""
+    """Lets keys do to a focused button or field what they do everywhere.
+
+    Space and Enter press a button, Enter commits a number or a text and Escape leaves it; after
+    that the focus goes back to the window, so that its shortcuts work again.
+    """
 
     def guard(self, root: QWidget) -> None:
-        """Watch all buttons, combo boxes and number fields below a widget."""
-        for kind in (QAbstractButton, QAbstractSpinBox, QComboBox):
+        """Watch all buttons, combo boxes and fields below a widget."""
+        for kind in _CLAIMED:
             for widget in root.findChildren(kind):
                 widget.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Claim a key before the shortcuts get it."""
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            number = isinstance(watched, QAbstractSpinBox)
-            if event.key() in (_ENTER | _STEP if number else _SPACE):
+        if not isinstance(event, QKeyEvent) or not isinstance(watched, QWidget):
+            return False
+        plain = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        if plain != Qt.KeyboardModifier.NoModifier:
+            return False
+        if event.type() == QEvent.Type.ShortcutOverride:
+            claimed = next(
+                (keys for kind, keys in _CLAIMED.items() if isinstance(watched, kind)), ()
+            )
+            if event.key() in claimed:
                 event.accept()
                 return True
+        elif event.type() == QEvent.Type.KeyPress and event.key() in _DONE:
+            return self._finish(watched, event)
+        return False
+
+    @staticmethod
+    def _finish(watched: QWidget, event: QKeyEvent) -> bool:
+        """Press a button by Enter; leave a field after Enter or Escape."""
+        if isinstance(watched, QPushButton) and event.key() in _ENTER:
+            watched.click()
+            return True
+        if isinstance(watched, QAbstractSpinBox):
+            if event.key() in _ENTER:
+                watched.interpretText()
+            watched.window().setFocus()
+            return True
+        if isinstance(watched, QLineEdit):
+            if event.key() == Qt.Key.Key_Escape:
+                watched.clear()
+            watched.window().setFocus()
+            return True
         return False

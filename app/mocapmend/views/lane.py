@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from pyqtgraph.functions import arrayToQPath
+from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
@@ -78,6 +78,12 @@ def ticks(low: float, high: float, about: int) -> tuple[NDArray[np.float64], int
     first, last = np.ceil(low / step), np.floor(high / step)
     # Adding zero turns a negative zero into a plain one.
     return np.arange(first, last + 1) * step + 0.0, decimals
+
+
+def alone_in(values: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Say which values have no finite neighbour: a line through them is nothing to see."""
+    known = np.concatenate(([False], np.isfinite(values), [False]))
+    return np.asarray(known[1:-1] & ~known[:-2] & ~known[2:])
 
 
 class LanePainter:
@@ -162,7 +168,7 @@ class LanePainter:
 
     def _paint_name(self, painter: QPainter, rect: QRectF, axis: int) -> None:
         painter.setPen(QColor(AXIS_COLOURS[axis]))
-        place = QRectF(4, rect.top(), 14, 16)
+        place = QRectF(rect.left() + 5, rect.top() + 2, 14, 16)
         painter.drawText(place, Qt.AlignmentFlag.AlignLeft, "XYZ"[axis])
 
     def _paint_shades(self, painter: QPainter, frame: Frame, marker: int) -> None:
@@ -222,4 +228,9 @@ class LanePainter:
     @staticmethod
     def _paint_line(painter: QPainter, frame: Frame, line: NDArray[np.float64], pen: QPen) -> None:
         painter.setPen(pen)
-        painter.drawPath(arrayToQPath(frame.x(line[:, 0]), frame.y(line[:, 1]), connect="finite"))
+        x, y = frame.x(line[:, 0]), frame.y(line[:, 1])
+        painter.drawPath(arrayToQPath(x, y, connect="finite"))
+        alone = alone_in(y)
+        if alone.any():
+            painter.setPen(QPen(pen.color(), 3))
+            painter.drawPoints(arrayToQPolygonF(x[alone], y[alone]))

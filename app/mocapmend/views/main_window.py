@@ -81,7 +81,7 @@ class MainWindow(QMainWindow):
         self.setWindowIcon(program_icon())
         self.setAcceptDrops(True)
         self.resize(QSize(1280, 800).boundedTo(self.screen().availableSize()))
-        self.welcome = Welcome(sample_recordings())
+        self.welcome = Welcome(sample_recordings(), self.theme)
         self.welcome.chosen.connect(self.files.open)
         self.welcome.browse.connect(self.files.ask_and_open)
         self.stack = QStackedWidget()
@@ -89,6 +89,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self.stack)
         self.notes = NotesBar()
         self.transport = Transport(self.actions_by_id)
+        self._keys.guard(self.transport)
         self._make_menus()
         self._make_toolbar()
         self._make_status_bar()
@@ -117,6 +118,7 @@ class MainWindow(QMainWindow):
                 menus[spec.menu].addSeparator()
             menus[spec.menu].addAction(self.actions_by_id[spec.id])
         self.recent_menu = QMenu(self.tr("Open recent"), self)
+        self.recent_menu.setToolTipsVisible(True)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
         menus["File"].insertMenu(self.actions_by_id["export"], self.recent_menu)
         self.panes_menu = QMenu(self.tr("Panes"), self)
@@ -164,6 +166,7 @@ class MainWindow(QMainWindow):
             "next_method": lambda w: w.repair.step_method(1),
             "previous_method": lambda w: w.repair.step_method(-1),
             "apply": Workspace.apply_preview,
+            "apply_next": Workspace.apply_and_go_on,
             "fill_all": Workspace.fill_all,
             "clear_fill": Workspace.clear_fill,
             "play": lambda w: w.player.toggle(),
@@ -226,6 +229,7 @@ class MainWindow(QMainWindow):
         workspace.save_layout()
         self.stack.removeWidget(workspace)
         workspace.deleteLater()
+        self.statusBar().clearMessage()
         self._show_document()
 
     # --- showing -----------------------------------------------------------------------------
@@ -261,6 +265,7 @@ class MainWindow(QMainWindow):
         for name in ICONS:
             self.actions_by_id[name].setIcon(icon(name, self.theme))
         self.transport.set_theme(self.theme)
+        self.welcome.set_theme(self.theme)
         if self.workspace is not None:
             self.workspace.set_theme(self.theme)
 
@@ -317,7 +322,7 @@ class MainWindow(QMainWindow):
         self.recent_menu.clear()
         recent = self.settings.get(RECENT_FILES)
         for text in recent:
-            action = QAction(Path(text).name, self.recent_menu)
+            action = QAction(Path(text).name.replace("&", "&&"), self.recent_menu)
             action.setToolTip(text)
             action.triggered.connect(lambda _=False, text=text: self.files.open(Path(text)))
             self.recent_menu.addAction(action)

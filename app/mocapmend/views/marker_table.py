@@ -11,8 +11,9 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     QSortFilterProxyModel,
     Qt,
+    QTimer,
 )
-from PySide6.QtGui import QBrush, QColor
+from PySide6.QtGui import QBrush, QColor, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -30,7 +31,7 @@ from mocapmend.viewstate import ViewState
 Index = QModelIndex | QPersistentModelIndex
 NO_PARENT = QModelIndex()
 SORT_ROLE = Qt.ItemDataRole.UserRole
-TABLE_WIDTH = 270
+TABLE_WIDTH = 180
 
 
 class MarkerModel(QAbstractTableModel):
@@ -136,7 +137,7 @@ class MarkerTable(QWidget):
         self.filter.setPlaceholderText(self.tr("Filter markers"))
         self.filter.setClearButtonEnabled(True)
         self.filter.setAccessibleName(self.tr("Filter markers"))
-        self.filter.textChanged.connect(self._proxy.setFilterFixedString)
+        self.filter.textChanged.connect(self._set_filter)
         self.table = self._make_table()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
@@ -175,13 +176,24 @@ class MarkerTable(QWidget):
         table.selectionModel().selectionChanged.connect(self._lead)
         return table
 
+    def _set_filter(self, text: str) -> None:
+        """Hide other rows; what is hidden stays selected."""
+        self._following = True
+        self._proxy.setFilterFixedString(text)
+        self._following = False
+        self._follow(self._view.selection)
+
     def _lead(self, chosen: QItemSelection, dropped: QItemSelection) -> None:
         """Take the user's selection over into the view state, the newest marker last."""
         if self._following:
             return
         rows = self.table.selectionModel().selectedRows()
         selected = {self._proxy.mapToSource(row).row() for row in rows}
-        kept = tuple(marker for marker in self._view.selection if marker in selected)
+        kept = tuple(
+            marker
+            for marker in self._view.selection
+            if marker in selected or not self._place(marker).isValid()
+        )
         new = tuple(sorted(selected.difference(kept)))
         self._view.select((*kept, *new))
 
@@ -192,12 +204,24 @@ class MarkerTable(QWidget):
             return
         chosen = QItemSelection()
         for marker in markers:
-            place = self._proxy.mapFromSource(self._model.index(marker, 0))
+            place = self._place(marker)
             if place.isValid():
                 chosen.select(place, place)
         flags = QItemSelectionModel.SelectionFlag
         self._following = True
         self.table.selectionModel().select(chosen, flags.ClearAndSelect | flags.Rows)
         self._following = False
-        if markers:
-            self.table.scrollTo(self._proxy.mapFromSource(self._model.index(markers[-1], 0)))
+        self._show_current()
+
+    def _show_current(self) -> None:
+        if self._view.marker is not None:
+            self.table.scrollTo(self._place(self._view.marker))
+
+    def _place(self, marker: int) -> QModelIndex:
+        """Return where a marker's row is; invalid while the filter hides it."""
+        return self._proxy.mapFromSource(self._model.index(marker, 0))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        # Only now are the rows laid out.
+        QTimer.singleShot(0, self, self._show_current)

@@ -71,6 +71,7 @@ class Player(QObject):
         elapsed = self._clock.nsecsElapsed() / 1e9
         frame = self._origin + int(elapsed * self._rate * self.speed)
         self._view.set_frame(frame)
+        self._view.keep_in_view()
         self._shown = self._view.frame
         if frame >= self._view.frames - 1:
             self.pause()

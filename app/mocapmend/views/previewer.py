@@ -68,6 +68,7 @@ class Previewer(QObject):
             gap,
             method,
             params,
+            quiet=True,
         )
         job.finished.connect(lambda result: self._show(gap, method, params, result))
         none = partial(Preview, gap, method, params, None)

@@ -57,6 +57,7 @@ class RepairPanel(QScrollArea):
         self._settings = settings
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         layout = QVBoxLayout(body)
@@ -91,6 +92,10 @@ class RepairPanel(QScrollArea):
     def max_error_mm(self) -> float:
         """Return the largest expected error that filling all may accept, in mm."""
         return self._max_error.value() if self._limit_error.isChecked() else float("inf")
+
+    def show_filling(self, *, running: bool) -> None:
+        """Tell whether filling all is going on."""
+        self._fill_all.set_possible(possible=not running)
 
     def show_outcome(self, text: str, *, open_gaps: bool) -> None:
         """Say what filling all has done."""
@@ -154,7 +159,8 @@ class RepairPanel(QScrollArea):
         self._max_gap = QSpinBox()
         self._max_gap.setRange(0, max(1, self._document.original.frames))
         self._max_gap.setAccessibleName(self.tr("Longest gap in frames"))
-        self._max_gap.setValue(int(self._settings.get(MAX_GAP_MS) * rate / 1000.0 + 1e-6))
+        remembered = self._settings.get(MAX_GAP_MS) * rate / 1000.0 + 1e-6
+        self._max_gap.setValue(int(min(remembered, self._max_gap.maximum())))
         self._max_gap.valueChanged.connect(self._remember_limit)
         self._limit_error = QCheckBox(self.tr("expected error"))
         self._limit_error.setChecked(self._settings.get(LIMIT_ERROR))
@@ -176,7 +182,8 @@ class RepairPanel(QScrollArea):
         self._outcome.setWordWrap(True)
         self.left_open = QPushButton(self.tr("Show what stayed open…"))
         layout.addLayout(form)
-        layout.addWidget(ActionButton(actions["fill_all"], self.tr("Fill all")))
+        self._fill_all = ActionButton(actions["fill_all"], self.tr("Fill all"))
+        layout.addWidget(self._fill_all)
         layout.addWidget(self._outcome)
         layout.addWidget(self.left_open)
         self.show_outcome("", open_gaps=False)
@@ -210,8 +217,8 @@ class RepairPanel(QScrollArea):
         gap, preview = self._view.gap, self._view.preview
         repair = None if gap is None else self._document.repairs.get(gap)
         self._title.setText(self._gap_text(gap))
-        self._clear.setVisible(repair is not None)
-        self._apply.setVisible(repair is None)
+        self._clear.set_possible(possible=repair is not None)
+        self._apply.set_possible(possible=preview is not None and preview.patch is not None)
         if gap is None and not self._document.gaps:
             text = self.tr("No marker is missing anywhere: there is nothing to fill.")
         elif gap is None:
@@ -236,11 +243,15 @@ class RepairPanel(QScrollArea):
             "trailing": self.tr(", at the end"),
             "whole": self.tr(", never seen"),
         }
-        return self.tr("{0}: frames {1} to {2}\n{3} frames ({4} ms){5}").format(
+        first, last = gap.start + original.first_frame, gap.stop - 1 + original.first_frame
+        frames = (
+            self.tr("frame {0}\n1 frame").format(first)
+            if gap.length == 1
+            else self.tr("frames {0} to {1}\n{2} frames").format(first, last, gap.length)
+        )
+        return self.tr("{0}: {1} ({2} ms){3}").format(
             self._document.names[gap.marker],
-            gap.start + original.first_frame,
-            gap.stop - 1 + original.first_frame,
-            gap.length,
+            frames,
             round(1000.0 * gap.length / original.rate),
             places[gap.kind(original.frames)],
         )
@@ -278,11 +289,19 @@ class ActionButton(QPushButton):
     def __init__(self, action: QAction, text: str) -> None:
         super().__init__(text)
         self._action = action
+        self._possible = True
         self.setToolTip(action.toolTip())
+        # A click must not take the keyboard from the rest of the window.
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(action.trigger)
         # A method and not a lambda: the action outlives the button.
         action.changed.connect(self._follow)
         self._follow()
 
+    def set_possible(self, *, possible: bool) -> None:
+        """Say whether the action makes sense just now."""
+        self._possible = possible
+        self._follow()
+
     def _follow(self) -> None:
-        self.setEnabled(self._action.isEnabled())
+        self.setEnabled(self._possible and self._action.isEnabled())

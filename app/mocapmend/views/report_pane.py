@@ -47,8 +47,8 @@ class ReportPane(QWidget):
         self._theme = theme
         self._job: Job | None = None
         self.report: Report | None = None
-        self._success = _plot(self.tr("Tracked markers"), "%")
-        self._bone = _plot(self.tr("Bone length"), document.original.unit)
+        self._success = _plot(self.tr("Tracked"), "%")
+        self._bone = _plot(self.tr("Length"), document.original.unit)
         self._playheads = [pyqtgraph.InfiniteLine(angle=90) for _ in range(2)]
         self._table = self._make_table()
         charts = QSplitter(Qt.Orientation.Horizontal)
@@ -99,6 +99,7 @@ class ReportPane(QWidget):
             document.share_original(),
             document.share(),
             document.skeleton,
+            quiet=True,
         )
         job.finished.connect(self._show)
         job.failed.connect(self.failed)
@@ -216,4 +217,5 @@ def _plot(title: str, unit: str) -> pyqtgraph.PlotWidget:
     item.setMenuEnabled(False)
     item.hideButtons()
     plot.setMinimumWidth(160)
+    plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return plot

@@ -16,5 +16,15 @@ _SAMPLES = (
 
 def sample_recordings() -> list[tuple[Path, str]]:
     """Return the sample files with what they show."""
-    folder = Path(str(files("mocapmend_resources") / "samples"))
-    return [(folder / name, QCoreApplication.translate("Samples", text)) for name, text in _SAMPLES]
+    return [
+        (_folder() / name, QCoreApplication.translate("Samples", text)) for name, text in _SAMPLES
+    ]
+
+
+def is_sample(path: Path) -> bool:
+    """Say whether a file ships with the program; its folder is no place for the user's files."""
+    return path.resolve().parent == _folder().resolve()
+
+
+def _folder() -> Path:
+    return Path(str(files("mocapmend_resources") / "samples"))

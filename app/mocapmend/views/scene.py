@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 
 FIT = 3.0
 """Distance of the camera in body sizes at which the body fills the view."""
+NEAR_AND_FAR = np.array([0.1, 60.0])
+"""Bounds of that distance in body sizes."""
 PICK_RADIUS = 12.0
 DRAG_THRESHOLD = 4.0
 TRAIL_SECONDS = 0.5
@@ -152,6 +154,7 @@ class Scene(QWidget):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self.camera.zoom(0.999 ** event.angleDelta().y())
+        self.camera.distance = float(np.clip(self.camera.distance, *NEAR_AND_FAR * self._size))
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:

@@ -110,13 +110,7 @@ class Timeline(QAbstractScrollArea):
         if marker is None:
             return None
         reach = 2.0 * self._frames_per_pixel()
-        frame = self.frame_at(position.x())
-        near = [
-            gap
-            for gap in self._document.gaps_of(marker)
-            if gap.start - reach <= frame < gap.stop + reach
-        ]
-        return min(near, key=lambda g: abs((g.start + g.stop) / 2.0 - frame), default=None)
+        return self._document.gap_near(marker, self.frame_at(position.x()), reach)
 
     def _show_lane(self) -> None:
         marker = self._view.marker
@@ -175,6 +169,7 @@ class Timeline(QAbstractScrollArea):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._repaint()
+        self._show_lane()
         super().resizeEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -193,7 +188,11 @@ class Timeline(QAbstractScrollArea):
         original = self._document.original
         text = original.labels[marker]
         gap = self.gap_at(QPointF(place))
-        if gap is not None:
+        if gap is not None and gap in self._document.repairs:
+            text += self.tr(": repaired, frames {0} to {1}").format(
+                gap.start + original.first_frame, gap.stop - 1 + original.first_frame
+            )
+        elif gap is not None:
             text += self.tr(": missing from frame {0} to {1}, {2} frames ({3} ms)").format(
                 gap.start + original.first_frame,
                 gap.stop - 1 + original.first_frame,
@@ -280,9 +279,12 @@ class Timeline(QAbstractScrollArea):
         every = max(1, int(np.ceil((metrics.height() - 3) / height)))
         labels = self._document.names
         chosen = set(self._view.selection)
-        crowded = {marker + k for marker in chosen for k in range(1 - every, every)}
-        others = [m for m in range(0, len(labels), every) if m not in crowded]
-        for marker in (*others, *sorted(chosen)):
+        # The current marker first, then the other selected ones, then as many as have room.
+        shown: list[int] = []
+        for marker in (*reversed(self._view.selection), *range(0, len(labels), every)):
+            if all(abs(marker - other) >= every for other in shown):
+                shown.append(marker)
+        for marker in shown:
             place = QRectF(0, self.lane_top(marker) + height / 2 - 8, GUTTER - 4, 16)
             if marker in chosen:
                 painter.fillRect(place, QColor(self._theme.accent))
@@ -307,15 +309,9 @@ class Timeline(QAbstractScrollArea):
     def _paint_ruler(self, painter: QPainter) -> None:
         original = self._document.original
         start, stop = self._view.visible
-        first = original.first_frame
         painter.setPen(QColor(self._theme.dim))
         seconds, decimals = ticks(
             start / original.rate, stop / original.rate, max(2, self._lanes_width() // 90)
-        )
-        painter.drawText(
-            QRectF(4, 0, GUTTER - 10, RULER - 2),
-            Qt.AlignmentFlag.AlignVCenter,
-            self.tr("frame {0}").format(self._view.frame + first),
         )
         for second in seconds:
             x = self.x_of(second * original.rate)

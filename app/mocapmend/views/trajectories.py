@@ -24,6 +24,8 @@ RIGHT = 8
 TOP = 22
 BOTTOM = 20
 SPACE = 6
+LEAST_LANE = 44
+"""Height below which a plot cannot be read."""
 
 
 class Trajectories(QWidget):
@@ -65,7 +67,10 @@ class Trajectories(QWidget):
         self._repaint()
 
     def lanes(self) -> list[Lane]:
-        """Return the plots for the present selection, from top to bottom."""
+        """Return the plots for the present selection, from top to bottom.
+
+        Of separate plots only as many as can be read; the markers selected last come first.
+        """
         colours = self._theme.curves
         curves = tuple(
             Curve(marker, colours[order % len(colours)])
@@ -73,7 +78,8 @@ class Trajectories(QWidget):
         )
         if not self._separate:
             return [Lane(axis, curves) for axis in range(3)] if curves else []
-        return [Lane(axis, (curve,)) for curve in curves for axis in range(3)]
+        room = max(1, (self.height() - TOP - BOTTOM) // (3 * LEAST_LANE))
+        return [Lane(axis, (curve,)) for curve in curves[-room:] for axis in range(3)]
 
     # --- what the user does ------------------------------------------------------------------
 
@@ -94,9 +100,9 @@ class Trajectories(QWidget):
         marker = self._view.marker
         if marker is None:
             return
-        for gap in self._document.gaps_of(marker):
-            if gap.start <= frame < gap.stop:
-                self._view.go_to(gap)
+        gap = self._document.gap_near(marker, frame)
+        if gap is not None:
+            self._view.go_to(gap)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
@@ -168,9 +174,16 @@ class Trajectories(QWidget):
                     painter, lane, rect, self._view.visible, self._view.preview
                 )
                 self._frames.append((lane, frame))
+                if self._separate and lane.axis == 0:
+                    self._paint_marker(painter, lane.curves[0], rect)
             self._paint_time_axis(painter)
         painter.end()
         return picture
+
+    def _paint_marker(self, painter: QPainter, curve: Curve, rect: QRectF) -> None:
+        painter.setPen(QColor(curve.colour))
+        place = rect.adjusted(20, 2, -4, 0)
+        painter.drawText(place, Qt.AlignmentFlag.AlignLeft, self._document.names[curve.marker])
 
     def _paint_hint(self, painter: QPainter) -> None:
         painter.setPen(QColor(self._theme.dim))
@@ -201,20 +214,26 @@ class Trajectories(QWidget):
             painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
 
     def _paint_values(self, painter: QPainter) -> None:
-        """Write the selected markers' names and places above the plots."""
+        """Write the names and places of the selected markers above the plots, the current first."""
         painter.setFont(self.font())
         metrics = painter.fontMetrics()
-        x = float(LEFT)
+        x, colours = float(LEFT), self._theme.curves
+        for done, (order, marker) in enumerate(reversed(list(enumerate(self._view.selection)))):
+            text = f"{self._document.names[marker]}  {self._value(marker)}"
+            width = metrics.horizontalAdvance(text)
+            if done and x + width > self.width() - RIGHT:
+                more = self.tr("+{0} more").format(len(self._view.selection) - done)
+                painter.setPen(QColor(self._theme.dim))
+                painter.drawText(QPointF(x, TOP - 7), more)
+                return
+            painter.setPen(QColor(colours[order % len(colours)]))
+            painter.drawText(QPointF(x, TOP - 7), text)
+            x += width + 18
+
+    def _value(self, marker: int) -> str:
+        place = self._document.points[self._view.frame, marker]
+        if np.isnan(place[0]):
+            return self.tr("missing")
         unit = self._document.original.unit
         decimals = {"m": 4, "cm": 2}.get(unit, 1)
-        for order, marker in enumerate(self._view.selection):
-            place = self._document.points[self._view.frame, marker]
-            label = self._document.names[marker]
-            if np.isnan(place[0]):
-                value = self.tr("missing")
-            else:
-                value = "  ".join(f"{v:.{decimals}f}" for v in place) + f" {unit}"
-            text = f"{label}  {value}"
-            painter.setPen(QColor(self._theme.curves[order % len(self._theme.curves)]))
-            painter.drawText(QPointF(x, TOP - 7), text)
-            x += metrics.horizontalAdvance(text) + 18
+        return "  ".join(f"{value:.{decimals}f}" for value in place) + f" {unit}"

@@ -54,6 +54,7 @@ class Transport(QWidget):
         self._workspace = workspace
         self.setEnabled(workspace is not None)
         if workspace is None:
+            self._frame.setRange(0, 0)
             self._time.setText("")
             return
         original = workspace.document.original

@@ -8,9 +8,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from mocapmend.theme import Theme
 from mocapmend.views.icons import program_icon
 
 RECENT_SHOWN = 5
+LONGEST = 60
+"""Characters of a file name that are shown."""
 
 
 class Welcome(QWidget):
@@ -27,8 +30,12 @@ class Welcome(QWidget):
     chosen = Signal(object)
     browse = Signal()
 
-    def __init__(self, samples: Sequence[tuple[Path, str]], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, samples: Sequence[tuple[Path, str]], theme: Theme, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
+        self._theme = theme
+        self._links: list[tuple[QLabel, str]] = []
         logo = QLabel()
         logo.setPixmap(program_icon().pixmap(48, 48))
         title = QLabel("mocapmend")
@@ -58,11 +65,18 @@ class Welcome(QWidget):
             layout.addWidget(self._link(path, text), 0, Qt.AlignmentFlag.AlignCenter)
         layout.addStretch(3)
 
+    def set_theme(self, theme: Theme) -> None:
+        """Paint the links in other colours from now on: they do not follow the palette."""
+        self._theme = theme
+        for link, text in self._links:
+            link.setText(self._markup(text))
+
     def show_recent(self, paths: Sequence[str]) -> None:
         """List the files that were open lately."""
         while (item := self._recent.takeAt(0)) is not None:
             widget = item.widget()
             if widget is not None:
+                self._links = [pair for pair in self._links if pair[0] is not widget]
                 widget.deleteLater()
         if paths:
             self._recent.addWidget(_heading(self.tr("Recent files")))
@@ -73,13 +87,19 @@ class Welcome(QWidget):
             self._recent.addWidget(link, 0, Qt.AlignmentFlag.AlignCenter)
 
     def _link(self, path: Path, text: str) -> QLabel:
-        link = QLabel(f'<a href="open">{escape(text)}</a>')
+        link = QLabel(self._markup(text))
         link.setTextInteractionFlags(
             Qt.TextInteractionFlag.LinksAccessibleByMouse
             | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
         )
         link.linkActivated.connect(lambda _: self.chosen.emit(path))
+        self._links.append((link, text))
         return link
+
+    def _markup(self, text: str) -> str:
+        # The window is as wide as its widest page: a long name must not stretch it.
+        short = text if len(text) <= LONGEST else f"{text[: LONGEST // 2]}…{text[-LONGEST // 2 :]}"
+        return f'<a style="color: {self._theme.accent}" href="open">{escape(short)}</a>'
 
 
 def _heading(text: str) -> QLabel:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QByteArray, Qt, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabWidget, QWidget
 
 from mocapmend import engine
@@ -75,11 +75,13 @@ class Workspace(QMainWindow):
         self._proof: tuple[str, ...] = ()
         self._panes: list[QDockWidget] = []
         self._first_layout = QByteArray()
+        self._first_sizes: list[tuple[QDockWidget, int]] = []
         self._filling: Job | None = None
         self._arrange()
         self.repair.method_chosen.connect(self.previewer.choose)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.previewer.choose(*self.repair.method())
+        document.undo_stack.indexChanged.connect(self._forget_outcome)
         for part in (self.previewer, self.report):
             part.failed.connect(self.failed)
         self._show_first_gap()
@@ -119,8 +121,9 @@ class Workspace(QMainWindow):
         if same_marker and view.marker is not None:
             gaps = document.gaps_of(view.marker)
         ordered = in_time_order(gaps, document.original.frames)
-        here = view.gap
-        start, marker = (view.frame, -1) if here is None else (here.start, here.marker)
+        start, marker = view.frame, -1
+        if view.gap is not None and view.gap.start <= view.frame < view.gap.stop:
+            start, marker = view.gap.start, view.gap.marker
         gap = neighbour(ordered, start, marker, step)
         if gap is None:
             self.message.emit(self.tr("No gap is left to go to."))
@@ -139,6 +142,13 @@ class Workspace(QMainWindow):
         edit = Edit.fill(preview.patch, preview.method, preview.params)
         label = self.document.names[preview.gap.marker]
         self._push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
+
+    def apply_and_go_on(self) -> None:
+        """Apply the previewed repair and go to the next gap."""
+        before = self.document.revision
+        self.apply_preview()
+        if self.document.revision != before:
+            self.step_gap(1)
 
     def clear_fill(self) -> None:
         """Turn the current gap's repair back into a gap."""
@@ -172,9 +182,11 @@ class Workspace(QMainWindow):
         job.cancelled.connect(lambda: self.message.emit(self.tr("Cancelled: nothing was filled.")))
         job.ended.connect(self._end_filling)
         self._filling = job
+        self.repair.show_filling(running=True)
 
     def _end_filling(self) -> None:
         self._filling = None
+        self.repair.show_filling(running=False)
 
     def _accept_all(self, revision: int, method: str, params: object, result: FillResult) -> None:
         if revision != self.document.revision:
@@ -190,6 +202,9 @@ class Workspace(QMainWindow):
         text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
         self.repair.show_outcome(text, open_gaps=bool(left))
         self.message.emit(text)
+
+    def _forget_outcome(self) -> None:
+        self.repair.show_outcome("", open_gaps=False)
 
     def _show_left_open(self) -> None:
         left_open_dialog(self, self.document.original, self._left_open).open()
@@ -211,7 +226,7 @@ class Workspace(QMainWindow):
             and seen[gap.marker] > 0.5
             and original.present[gap.start].mean() > 0.5
         ]
-        gap = max(within, key=lambda gap: gap.length, default=ordered[0] if ordered else None)
+        gap = max(within, key=lambda gap: gap.length, default=None)
         if gap is not None:
             self.view.select((gap.marker,))
             self.view.set_gap(gap)
@@ -258,9 +273,7 @@ class Workspace(QMainWindow):
     def go_to_frame(self, frame: int) -> None:
         """Put the playhead on a frame, counted from 0, and keep it in view."""
         self.view.set_frame(frame)
-        start, stop = self.view.visible
-        if not start <= self.view.frame < stop:
-            self.view.pan(self.view.frame - (start + stop) / 2.0)
+        self.view.keep_in_view()
 
     def zoom_time(self, factor: float) -> None:
         """Scale the visible range around the playhead."""
@@ -299,10 +312,16 @@ class Workspace(QMainWindow):
             tabbed.setTitleBarWidget(QWidget())
         self.tabifyDockWidget(timeline, report)
         timeline.raise_()
-        self.resizeDocks([markers, repair], [230, 270], Qt.Orientation.Horizontal)
-        self.resizeDocks([timeline], [210], Qt.Orientation.Vertical)
-        self._first_layout = self.saveState(LAYOUT_VERSION)
-        self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
+        self._first_sizes = [(markers, 260), (repair, 280)]
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._first_layout.isEmpty() and self._panes:
+            # Sizes of panes mean nothing before the window has one.
+            panes, widths = zip(*self._first_sizes, strict=True)
+            self.resizeDocks(list(panes), list(widths), Qt.Orientation.Horizontal)
+            self._first_layout = self.saveState(LAYOUT_VERSION)
+            self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
 
     def _dock(
         self, name: str, title: str, content: QWidget, area: Qt.DockWidgetArea
