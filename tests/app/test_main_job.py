@@ -322,8 +322,9 @@ def test_a_repair_can_be_turned_back_into_a_gap(opened: MainWindow, qtbot: QtBot
     assert workspace.document.undo_stack.count() == 2
 
 
-def test_a_closed_pane_comes_back(opened: MainWindow) -> None:
+def test_a_closed_pane_comes_back(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
+    qtbot.waitUntil(lambda: workspace.arranged)
     markers, repair = workspace.panes()[:2]
     markers.close()
     repair.setFloating(True)
@@ -338,12 +339,12 @@ def test_a_closed_pane_comes_back(opened: MainWindow) -> None:
     assert not repair.isFloating()
 
 
-def test_the_layout_is_remembered(
-    open_in: Open, sprint: Path, gait: Path, settings: Settings
-) -> None:
+def test_the_layout_is_remembered(open_in: Open, qtbot: QtBot, sprint: Path, gait: Path) -> None:
     window = open_in(sprint)
+    qtbot.waitUntil(lambda: workspace_of(window).arranged)
     workspace_of(window).panes()[0].close()
     window = open_in(gait)
+    qtbot.waitUntil(lambda: workspace_of(window).arranged)
     assert not workspace_of(window).panes()[0].isVisible()
 
 

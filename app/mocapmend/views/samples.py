@@ -8,8 +8,8 @@ from PySide6.QtCore import QCoreApplication
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
 _SAMPLES = (
-    ("gait_plug_in_gait.c3d", QT_TRANSLATE_NOOP("Samples", "Gait, Plug-in Gait, with gaps")),
     ("sprint_basketball.c3d", QT_TRANSLATE_NOOP("Samples", "Wheelchair sprint, many gaps")),
+    ("gait_plug_in_gait.c3d", QT_TRANSLATE_NOOP("Samples", "Gait, Plug-in Gait, with fragments")),
     ("walk_cmu_02_01.c3d", QT_TRANSLATE_NOOP("Samples", "Walk, 41 markers, complete")),
 )
 

@@ -64,7 +64,7 @@ class Timeline(QAbstractScrollArea):
         view.selection_changed.connect(self._show_lane)
 
     def sizeHint(self) -> QSize:
-        return QSize(800, RULER + min(20, self._document.original.markers) * 8 + 8)
+        return QSize(800, LANES_TOP + min(24, self._document.original.markers) * 6 + 16)
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""

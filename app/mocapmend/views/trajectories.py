@@ -221,8 +221,9 @@ class Trajectories(QWidget):
         for done, (order, marker) in enumerate(reversed(list(enumerate(self._view.selection)))):
             text = f"{self._document.names[marker]}  {self._value(marker)}"
             width = metrics.horizontalAdvance(text)
-            if done and x + width > self.width() - RIGHT:
-                more = self.tr("+{0} more").format(len(self._view.selection) - done)
+            more = f"+{len(self._view.selection) - done}"
+            room = self.width() - RIGHT - metrics.horizontalAdvance(more)
+            if done and x + width + 18 > room:
                 painter.setPen(QColor(self._theme.dim))
                 painter.drawText(QPointF(x, TOP - 7), more)
                 return

@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QByteArray, Qt, Signal
+from PySide6.QtCore import QByteArray, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabWidget, QWidget
 
@@ -75,7 +75,6 @@ class Workspace(QMainWindow):
         self._proof: tuple[str, ...] = ()
         self._panes: list[QDockWidget] = []
         self._first_layout = QByteArray()
-        self._first_sizes: list[tuple[QDockWidget, int]] = []
         self._filling: Job | None = None
         self._arrange()
         self.repair.method_chosen.connect(self.previewer.choose)
@@ -103,13 +102,18 @@ class Workspace(QMainWindow):
         """Return the panes around the middle, in the order in which they were made."""
         return self._panes
 
+    @property
+    def arranged(self) -> bool:
+        """Whether the panes are where the user had them last."""
+        return not self._first_layout.isEmpty()
+
     def restore_first_layout(self) -> None:
         """Put all panes back where they were when the program was new."""
         self.restoreState(self._first_layout, LAYOUT_VERSION)
 
     def save_layout(self) -> None:
         """Remember where the panes are."""
-        if self._panes:
+        if self.arranged:
             self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
 
     # --- gaps --------------------------------------------------------------------------------
@@ -223,6 +227,7 @@ class Workspace(QMainWindow):
             if gap.kind(original.frames) == "interior"
             and gap.length <= self.repair.max_gap()
             # Fragments of trajectories and frames without a body are no place to begin.
+            and not original.labels[gap.marker].startswith("*")
             and seen[gap.marker] > 0.5
             and original.present[gap.start].mean() > 0.5
         ]
@@ -301,8 +306,8 @@ class Workspace(QMainWindow):
         corners = Qt.Corner
         self.setCorner(corners.BottomLeftCorner, areas.BottomDockWidgetArea)
         self.setCorner(corners.BottomRightCorner, areas.BottomDockWidgetArea)
-        markers = self._dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
-        repair = self._dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        self._dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
+        self._dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
         timeline = self._dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
@@ -312,16 +317,19 @@ class Workspace(QMainWindow):
             tabbed.setTitleBarWidget(QWidget())
         self.tabifyDockWidget(timeline, report)
         timeline.raise_()
-        self._first_sizes = [(markers, 260), (repair, 280)]
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._first_layout.isEmpty() and self._panes:
-            # Sizes of panes mean nothing before the window has one.
-            panes, widths = zip(*self._first_sizes, strict=True)
-            self.resizeDocks(list(panes), list(widths), Qt.Orientation.Horizontal)
-            self._first_layout = self.saveState(LAYOUT_VERSION)
-            self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
+        if self._panes and not self.arranged:
+            # Sizes of panes mean nothing before the window has its own.
+            QTimer.singleShot(0, self, self._size_panes)
+
+    def _size_panes(self) -> None:
+        markers, repair, timeline, _ = self._panes
+        self.resizeDocks([markers, repair], [290, 280], Qt.Orientation.Horizontal)
+        self.resizeDocks([timeline], [self.timeline.sizeHint().height()], Qt.Orientation.Vertical)
+        self._first_layout = self.saveState(LAYOUT_VERSION)
+        self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
 
     def _dock(
         self, name: str, title: str, content: QWidget, area: Qt.DockWidgetArea
