@@ -30,6 +30,7 @@ from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import METHODS
 
 LAYOUT_VERSION = 1
+TAB_HEIGHT = 36
 
 
 class Workspace(QMainWindow):
@@ -327,7 +328,8 @@ class Workspace(QMainWindow):
     def _size_panes(self) -> None:
         markers, repair, timeline, _ = self._panes
         self.resizeDocks([markers, repair], [290, 280], Qt.Orientation.Horizontal)
-        self.resizeDocks([timeline], [self.timeline.sizeHint().height()], Qt.Orientation.Vertical)
+        height = self.timeline.sizeHint().height() + TAB_HEIGHT
+        self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self._first_layout = self.saveState(LAYOUT_VERSION)
         self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
 
