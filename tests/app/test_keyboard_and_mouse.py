@@ -115,7 +115,7 @@ def test_a_click_on_a_repair_makes_it_the_one_that_del_clears(
     qtbot.waitUntil(lambda: edits(opened) == 1, timeout=20_000)
     repaired = next(gap for gap in document.repairs if gap.marker > 5 and gap.length > 10)
     view.frame_span(repaired.start, repaired.stop)
-    x = round(timeline.x_of((repaired.start + repaired.stop) / 2))
+    x = round(timeline.axis.x_of((repaired.start + repaired.stop) / 2))
     place = QPoint(x, timeline.lane_top(repaired.marker) + 2)
     qtbot.mouseClick(timeline.viewport(), LEFT, pos=place)
     assert view.gap == repaired

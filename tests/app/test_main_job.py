@@ -238,7 +238,7 @@ def test_a_click_on_the_timeline_scrubs_and_selects(opened: MainWindow, qtbot: Q
     timeline, view = workspace.timeline, workspace.view
     gap = next(g for g in workspace.document.gaps if 10 < g.length < 100 and g.marker > 3)
     y = timeline.lane_top(gap.marker) + 2
-    x = round(timeline.x_of((gap.start + gap.stop) / 2))
+    x = round(timeline.axis.x_of((gap.start + gap.stop) / 2))
     qtbot.mouseClick(timeline.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(x, y))
     assert view.marker == gap.marker
     assert view.gap == gap
@@ -251,7 +251,7 @@ def test_dragging_on_the_timeline_scrubs(opened: MainWindow, qtbot: QtBot) -> No
     qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(GUTTER + 5, 10))
     qtbot.mouseMove(viewport, QPoint(GUTTER + 200, 10))
     qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(GUTTER + 200, 10))
-    assert workspace.view.frame == int(workspace.timeline.frame_at(GUTTER + 200))
+    assert workspace.view.frame == int(workspace.timeline.axis.frame_at(GUTTER + 200))
 
 
 def test_a_click_in_3d_picks_the_marker_under_it(opened: MainWindow, qtbot: QtBot) -> None:

@@ -8,7 +8,6 @@ import PySide6
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QDialog,
     QDialogButtonBox,
     QHeaderView,
@@ -24,6 +23,7 @@ from mocapmend import __version__
 from mocapmend.actions import ACTIONS, key_texts, text_of
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
+from mocapmend.views.tables import dress
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.fill.contract import Unfilled
 
@@ -118,11 +118,7 @@ def _table_dialog(
     dialog.resize(720, 520)
     table = QTableWidget(len(rows), len(headers))
     table.setHorizontalHeaderLabels(list(headers))
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setShowGrid(False)
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
+    dress(table)
     for row, texts in enumerate(rows):
         for column, text in enumerate(texts):
             table.setItem(row, column, QTableWidgetItem(text))

@@ -45,6 +45,7 @@ from mocapmend.views.samples import sample_recordings
 from mocapmend.views.transport import Transport
 from mocapmend.views.welcome import Welcome
 from mocapmend.views.workspace import Workspace
+from mocapmend.views.workspace_actions import COMMANDS, SWITCHES
 from mocapmend_algorithms.skeleton import Skeleton
 
 log = logging.getLogger(__name__)
@@ -72,12 +73,6 @@ class MainWindow(QMainWindow):
         self.actions_by_id = dict(make_actions(self))
         self._keys = KeyGuard(self)
         self.files = FileActions(self)
-        self._switches: dict[str, Callable[[Workspace, bool], None]] = {
-            "follow": lambda w, on: w.scene.set_follow(on),
-            "labels": lambda w, on: w.scene.set_labels(on),
-            "trails": lambda w, on: w.scene.set_trails(on),
-            "separate": lambda w, on: w.trajectories.set_separate(on),
-        }
         self.setWindowIcon(program_icon())
         self.setAcceptDrops(True)
         self.resize(QSize(1280, 800).boundedTo(self.screen().availableSize()))
@@ -156,39 +151,11 @@ class MainWindow(QMainWindow):
             "log": lambda: QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_path()))),
             "about": self._about,
         }
-        of_workspace: dict[str, Callable[[Workspace], object]] = {
-            "undo": lambda w: w.document.undo_stack.undo(),
-            "redo": lambda w: w.document.undo_stack.redo(),
-            "next_gap": lambda w: w.step_gap(1),
-            "previous_gap": lambda w: w.step_gap(-1),
-            "next_gap_here": lambda w: w.step_gap(1, same_marker=True),
-            "previous_gap_here": lambda w: w.step_gap(-1, same_marker=True),
-            "next_method": lambda w: w.repair.step_method(1),
-            "previous_method": lambda w: w.repair.step_method(-1),
-            "apply": Workspace.apply_preview,
-            "apply_next": Workspace.apply_and_go_on,
-            "fill_all": Workspace.fill_all,
-            "clear_fill": Workspace.clear_fill,
-            "play": lambda w: w.player.toggle(),
-            "next_frame": lambda w: w.step_frames(1),
-            "previous_frame": lambda w: w.step_frames(-1),
-            "forward": lambda w: w.step_seconds(1.0),
-            "back": lambda w: w.step_seconds(-1.0),
-            "first_frame": lambda w: w.go_to_frame(0),
-            "last_frame": lambda w: w.go_to_frame(w.view.frames - 1),
-            "faster": lambda w: w.player.step_speed(1),
-            "slower": lambda w: w.player.step_speed(-1),
-            "zoom_in": lambda w: w.zoom_time(0.5),
-            "zoom_out": lambda w: w.zoom_time(2.0),
-            "zoom_all": Workspace.zoom_all,
-        }
-        for name in ("front", "back", "left", "right", "top", "oblique"):
-            of_workspace[f"view_{name}"] = lambda w, name=name: w.scene.look(name)  # type: ignore[misc]
         for name, call in plain.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, call=call: call())
-        for name, use in of_workspace.items():
+        for name, use in COMMANDS.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, use=use: self._with(use))
-        for name, switch in self._switches.items():
+        for name, switch in SWITCHES.items():
             self.actions_by_id[name].toggled.connect(
                 lambda on, switch=switch: self._with(lambda w: switch(w, on))
             )
@@ -209,7 +176,7 @@ class MainWindow(QMainWindow):
         self.workspace = workspace
         workspace.message.connect(self.say)
         workspace.failed.connect(self.show_error)
-        for name, switch in self._switches.items():
+        for name, switch in SWITCHES.items():
             switch(workspace, self.actions_by_id[name].isChecked())
         stack = workspace.document.undo_stack
         stack.indexChanged.connect(self._show_undo)

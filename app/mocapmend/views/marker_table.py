@@ -16,7 +16,6 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QBrush, QColor, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHeaderView,
     QLineEdit,
     QTableView,
     QVBoxLayout,
@@ -26,6 +25,7 @@ from PySide6.QtWidgets import (
 from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
+from mocapmend.views.tables import dress, narrow
 from mocapmend.viewstate import ViewState
 
 Index = QModelIndex | QPersistentModelIndex
@@ -154,25 +154,15 @@ class MarkerTable(QWidget):
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        table.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        table.setShowGrid(False)
-        table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-        table.setTabKeyNavigation(False)
         table.setAccessibleName(self.tr("Markers"))
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
-        header = table.horizontalHeader()
-        header.setMinimumSectionSize(30)
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        dress(table)
+        widths = {}
         for column, widest in ((1, "100.0 %"), (2, "0000"), (3, "00000")):
             texts = (widest, str(self._model.headerData(column, Qt.Orientation.Horizontal)))
             # Room for the margins and the mark of the sorted column.
-            width = max(table.fontMetrics().horizontalAdvance(text) for text in texts) + 16
-            header.resizeSection(column, width)
+            widths[column] = max(map(table.fontMetrics().horizontalAdvance, texts)) + 16
+        narrow(table, widths)
         table.selectionModel().selectionChanged.connect(self._lead)
         return table
 

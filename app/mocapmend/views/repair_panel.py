@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
     QPushButton,
     QScrollArea,
     QSpinBox,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -112,28 +111,9 @@ class RepairPanel(QScrollArea):
         self._title.setWordWrap(True)
         self._title.setTextFormat(Qt.TextFormat.PlainText)
         steps = QHBoxLayout()
-        for name, text in (
-            ("previous_gap", self.tr("◀ Previous")),
-            ("next_gap", self.tr("Next ▶")),
-        ):
-            button = QToolButton()
-            button.setDefaultAction(actions[name])
-            button.setText(text)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-            button.setSizePolicy(
-                button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed
-            )
-            steps.addWidget(button)
-        self._method = QComboBox()
-        self._method.setAccessibleName(self.tr("Method"))
-        for method in METHODS.values():
-            self._method.addItem(method.label, method.id)
-            self._method.setItemData(
-                self._method.count() - 1, method.help, Qt.ItemDataRole.ToolTipRole
-            )
-        remembered = self._method.findData(self._settings.get(METHOD))
-        self._method.setCurrentIndex(max(remembered, 0))
-        self._method.currentIndexChanged.connect(self._show_method)
+        steps.addWidget(ActionButton(actions["previous_gap"], self.tr("◀ Previous gap")))
+        steps.addWidget(ActionButton(actions["next_gap"], self.tr("Next gap ▶")))
+        self._method = self._make_methods()
         self._form = ParamsForm()
         self._form.changed.connect(self._announce)
         self._promise = QLabel()
@@ -143,14 +123,21 @@ class RepairPanel(QScrollArea):
         self._promise.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._apply = ActionButton(actions["apply"], self.tr("Apply"))
         self._clear = ActionButton(actions["clear_fill"], self.tr("Turn back into a gap"))
-        for part in (self._title, steps, self._method, self._form, self._promise):
-            if isinstance(part, QHBoxLayout):
-                layout.addLayout(part)
-            else:
-                layout.addWidget(part)
-        layout.addWidget(self._apply)
-        layout.addWidget(self._clear)
+        layout.addWidget(self._title)
+        layout.addLayout(steps)
+        for part in (self._method, self._form, self._promise, self._apply, self._clear):
+            layout.addWidget(part)
         return box
+
+    def _make_methods(self) -> QComboBox:
+        methods = QComboBox()
+        methods.setAccessibleName(self.tr("Method"))
+        for order, method in enumerate(METHODS.values()):
+            methods.addItem(method.label, method.id)
+            methods.setItemData(order, method.help, Qt.ItemDataRole.ToolTipRole)
+        methods.setCurrentIndex(max(0, methods.findData(self._settings.get(METHOD))))
+        methods.currentIndexChanged.connect(self._show_method)
+        return methods
 
     def _make_all_box(self, actions: dict[str, QAction]) -> QGroupBox:
         box = QGroupBox(self.tr("All gaps, with this method"))

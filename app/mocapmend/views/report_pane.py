@@ -7,7 +7,6 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHeaderView,
     QSplitter,
     QTableWidget,
     QTableWidgetItem,
@@ -20,6 +19,7 @@ from mocapmend.jobs import Job, Jobs
 from mocapmend.report import Report, curves
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
+from mocapmend.views.tables import dress, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.metrics import bone_lengths
 
@@ -120,22 +120,10 @@ class ReportPane(QWidget):
         )
         table.setAccessibleName(self.tr("Spread of the bone lengths"))
         table.setToolTip(self.tr("Standard deviation of the length over its mean"))
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        table.setShowGrid(False)
-        table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-        table.setTabKeyNavigation(False)
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
-        header = table.horizontalHeader()
-        header.setMinimumSectionSize(30)
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        dress(table)
         width = table.fontMetrics().horizontalAdvance(self.tr("Before")) + 20
-        for column in (1, 2):
-            header.resizeSection(column, width)
+        narrow(table, {1: width, 2: width})
         table.itemSelectionChanged.connect(self._draw_bone)
         return table
 

@@ -21,6 +21,7 @@ from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.columns import column_edges, columns_with
 from mocapmend.views.lane import ticks
+from mocapmend.views.time_axis import TimeAxis
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
@@ -46,7 +47,7 @@ class Timeline(QAbstractScrollArea):
         self._view = view
         self._theme = theme
         self._picture: QPixmap | None = None
-        self._grip: float | None = None
+        self.axis = TimeAxis(view, GUTTER, lambda: self.viewport().width() - GUTTER - 1)
         self.setMinimumHeight(90)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -80,21 +81,6 @@ class Timeline(QAbstractScrollArea):
             LANE_MIN, min(LANE_MAX, (self.viewport().height() - LANES_TOP - NAME_MARGIN) // count)
         )
 
-    def _lanes_width(self) -> int:
-        return max(1, self.viewport().width() - GUTTER - 1)
-
-    def _frames_per_pixel(self) -> float:
-        start, stop = self._view.visible
-        return (stop - start) / self._lanes_width()
-
-    def frame_at(self, x: float) -> float:
-        """Return the frame at a horizontal place of the viewport."""
-        return self._view.visible[0] + (x - GUTTER) * self._frames_per_pixel()
-
-    def x_of(self, frame: float) -> float:
-        """Return the horizontal place of a frame's beginning."""
-        return GUTTER + (frame - self._view.visible[0]) / self._frames_per_pixel()
-
     def marker_at(self, y: float) -> int | None:
         """Return the marker whose lane is at a vertical place of the viewport."""
         row = int((y - LANES_TOP + self.verticalScrollBar().value()) // self._lane_height())
@@ -109,8 +95,8 @@ class Timeline(QAbstractScrollArea):
         marker = self.marker_at(position.y())
         if marker is None:
             return None
-        reach = 2.0 * self._frames_per_pixel()
-        return self._document.gap_near(marker, self.frame_at(position.x()), reach)
+        reach = 2.0 * self.axis.frames_per_pixel
+        return self._document.gap_near(marker, self.axis.frame_at(position.x()), reach)
 
     def _show_lane(self) -> None:
         marker = self._view.marker
@@ -124,27 +110,12 @@ class Timeline(QAbstractScrollArea):
     # --- what the user does ------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._grip = event.position().x()
-        if event.button() != Qt.MouseButton.LeftButton:
-            return
-        marker = self.marker_at(event.position().y())
-        if marker is not None:
-            if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-                self._view.toggle(marker)
-            elif marker != self._view.marker:
-                self._view.select((marker,))
-        gap = self.gap_at(event.position())
-        if gap is not None:
-            self._view.set_gap(gap)
-        if event.position().x() >= GUTTER:
-            self._seek(event.position())
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._select_at(event)
+        self.axis.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= GUTTER:
-            self._seek(event.position())
-        elif event.buttons() and self._grip is not None:
-            self._view.pan((self._grip - event.position().x()) * self._frames_per_pixel())
-            self._grip = event.position().x()
+        self.axis.drag(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         gap = self.gap_at(event.position())
@@ -154,12 +125,8 @@ class Timeline(QAbstractScrollArea):
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             super().wheelEvent(event)
-        elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            turned = event.angleDelta().x() or event.angleDelta().y()
-            self._view.pan(-turned * self._frames_per_pixel())
         else:
-            centre = self.frame_at(event.position().x())
-            self._view.zoom(0.998 ** event.angleDelta().y(), centre)
+            self.axis.wheel(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -177,8 +144,17 @@ class Timeline(QAbstractScrollArea):
             self._picture = None
         super().changeEvent(event)
 
-    def _seek(self, position: QPointF) -> None:
-        self._view.set_frame(int(np.floor(self.frame_at(position.x()))))
+    def _select_at(self, event: QMouseEvent) -> None:
+        marker = self.marker_at(event.position().y())
+        if marker is None:
+            return
+        if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            self._view.toggle(marker)
+        elif marker != self._view.marker:
+            self._view.select((marker,))
+        gap = self.gap_at(event.position())
+        if gap is not None and marker in self._view.selection:
+            self._view.set_gap(gap)
 
     def _show_tip(self, place: QPoint, on_screen: QPoint) -> None:
         marker = self.marker_at(place.y())
@@ -216,7 +192,7 @@ class Timeline(QAbstractScrollArea):
             self._picture = self._paint_picture()
         painter = QPainter(self.viewport())
         painter.drawPixmap(0, 0, self._picture)
-        x = self.x_of(self._view.frame + 0.5)
+        x = self.axis.x_of(self._view.frame + 0.5)
         if GUTTER <= x <= self.viewport().width():
             painter.setPen(QPen(QColor(self._theme.playhead), 1))
             painter.drawLine(QPointF(x, 0), QPointF(x, self.viewport().height()))
@@ -253,7 +229,7 @@ class Timeline(QAbstractScrollArea):
         return picture
 
     def _paint_lanes(self, painter: QPainter) -> None:
-        markers, width = self._document.original.markers, self._lanes_width()
+        markers, width = self._document.original.markers, self.axis.width
         edges = column_edges(*self._view.visible, width)
         indices = np.zeros((max(1, markers), width), np.uint8)
         for marker in range(markers):
@@ -299,7 +275,7 @@ class Timeline(QAbstractScrollArea):
         gap = self._view.gap
         if gap is None:
             return
-        left, right = self.x_of(gap.start), self.x_of(gap.stop)
+        left, right = self.axis.x_of(gap.start), self.axis.x_of(gap.stop)
         top = self.lane_top(gap.marker)
         painter.setPen(QPen(QColor(self._theme.preview), 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -311,10 +287,10 @@ class Timeline(QAbstractScrollArea):
         start, stop = self._view.visible
         painter.setPen(QColor(self._theme.dim))
         seconds, decimals = ticks(
-            start / original.rate, stop / original.rate, max(2, self._lanes_width() // 90)
+            start / original.rate, stop / original.rate, max(2, self.axis.width // 90)
         )
         for second in seconds:
-            x = self.x_of(second * original.rate)
+            x = self.axis.x_of(second * original.rate)
             painter.drawLine(QPointF(x, RULER - 5), QPointF(x, RULER - 1))
             if x + 60 < self.viewport().width():
                 place = QRectF(x + 3, 0, 80, RULER - 4)

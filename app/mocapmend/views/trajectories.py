@@ -17,7 +17,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from mocapmend.document import Document
 from mocapmend.theme import Theme
 from mocapmend.views.lane import Curve, Frame, Lane, LanePainter, ticks
+from mocapmend.views.time_axis import TimeAxis
 from mocapmend.viewstate import ViewState
+from mocapmend_algorithms import Gap
 
 LEFT = 58
 RIGHT = 8
@@ -41,7 +43,7 @@ class Trajectories(QWidget):
         self._picture: QPixmap | None = None
         self._frames: list[tuple[Lane, Frame]] = []
         self._separate = False
-        self._grip: float | None = None
+        self._axis = TimeAxis(view, LEFT, lambda: self.width() - LEFT - RIGHT)
         self.setMinimumSize(QSize(260, 160))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -84,33 +86,21 @@ class Trajectories(QWidget):
     # --- what the user does ------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._grip = event.position().x()
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._seek(event.position())
+        self._axis.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() & Qt.MouseButton.LeftButton:
-            self._seek(event.position())
-        elif event.buttons() and self._grip is not None:
-            self._view.pan((self._grip - event.position().x()) * self._frames_per_pixel())
-            self._grip = event.position().x()
+        self._axis.drag(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        frame = self._frame_at(event.position().x())
         marker = self._view.marker
         if marker is None:
             return
-        gap = self._document.gap_near(marker, frame)
+        gap = self._document.gap_near(marker, self._axis.frame_at(event.position().x()))
         if gap is not None:
             self._view.go_to(gap)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            turned = event.angleDelta().x() or event.angleDelta().y()
-            self._view.pan(-turned * self._frames_per_pixel())
-        else:
-            centre = self._frame_at(event.position().x())
-            self._view.zoom(0.998 ** event.angleDelta().y(), centre)
+        self._axis.wheel(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._picture = None
@@ -121,23 +111,10 @@ class Trajectories(QWidget):
             self._picture = None
         super().changeEvent(event)
 
-    def _seek(self, position: QPointF) -> None:
-        self._view.set_frame(int(np.floor(self._frame_at(position.x()))))
-
-    def _plot_width(self) -> int:
-        return max(1, self.width() - LEFT - RIGHT)
-
-    def _frames_per_pixel(self) -> float:
-        start, stop = self._view.visible
-        return (stop - start) / self._plot_width()
-
-    def _frame_at(self, x: float) -> float:
-        return self._view.visible[0] + (x - LEFT) * self._frames_per_pixel()
-
     # --- painting ----------------------------------------------------------------------------
 
-    def _forget(self, gaps: tuple[object, ...]) -> None:
-        self._painter.forget({gap.marker for gap in gaps})  # type: ignore[attr-defined]
+    def _forget(self, gaps: tuple[Gap, ...]) -> None:
+        self._painter.forget({gap.marker for gap in gaps})
         self._repaint()
 
     def _repaint(self) -> None:
@@ -169,7 +146,7 @@ class Trajectories(QWidget):
             height = (self.height() - TOP - BOTTOM + SPACE) / len(lanes)
             for row, lane in enumerate(lanes):
                 top = round(TOP + row * height)
-                rect = QRectF(LEFT, top, self._plot_width(), max(8, round(height - SPACE)))
+                rect = QRectF(LEFT, top, self._axis.width, max(8, round(height - SPACE)))
                 frame = self._painter.paint(
                     painter, lane, rect, self._view.visible, self._view.preview
                 )
@@ -197,7 +174,7 @@ class Trajectories(QWidget):
         frame = self._frames[-1][1]
         first = self._document.original.first_frame
         painter.setPen(QColor(self._theme.dim))
-        marks, _ = ticks(frame.start + first, frame.stop + first, max(2, self._plot_width() // 60))
+        marks, _ = ticks(frame.start + first, frame.stop + first, max(2, self._axis.width // 60))
         for mark in marks:
             if mark != round(mark):
                 continue

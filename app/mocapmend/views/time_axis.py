@@ -1,0 +1,74 @@
+"""The time axis that plots and timeline share: frames to pixels, and what the mouse does to it."""
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QMouseEvent, QWheelEvent
+
+from mocapmend.viewstate import ViewState
+
+ZOOM_PER_STEP = 0.998
+"""Of the visible range, per eighth of a degree of the wheel."""
+
+
+class TimeAxis:
+    """The visible frames of a view state, laid over a part of a widget.
+
+    Parameters
+    ----------
+    view : ViewState
+        Whose visible range it is.
+    left : int
+        Pixels before the axis begins.
+    width : callable
+        Returns the pixels that it takes.
+    """
+
+    def __init__(self, view: ViewState, left: int, width: Callable[[], int]) -> None:
+        self._view = view
+        self._left = left
+        self._width = width
+        self._grip: float | None = None
+
+    @property
+    def width(self) -> int:
+        """Pixels that the axis takes, at least one."""
+        return max(1, self._width())
+
+    @property
+    def frames_per_pixel(self) -> float:
+        """Scale of the axis."""
+        start, stop = self._view.visible
+        return (stop - start) / self.width
+
+    def frame_at(self, x: float) -> float:
+        """Return the frame at a horizontal place."""
+        return self._view.visible[0] + (x - self._left) * self.frames_per_pixel
+
+    def x_of(self, frame: float) -> float:
+        """Return the horizontal place of a frame's beginning."""
+        return self._left + (frame - self._view.visible[0]) / self.frames_per_pixel
+
+    def press(self, event: QMouseEvent) -> None:
+        """Begin to scrub with the left button, or to move the range with another."""
+        self._grip = event.position().x()
+        self.drag(event)
+
+    def drag(self, event: QMouseEvent) -> None:
+        """Scrub or move the range to where the mouse is."""
+        x = event.position().x()
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            if x >= self._left:
+                self._view.set_frame(int(np.floor(self.frame_at(x))))
+        elif event.buttons() and self._grip is not None:
+            self._view.pan((self._grip - x) * self.frames_per_pixel)
+            self._grip = x
+
+    def wheel(self, event: QWheelEvent) -> None:
+        """Zoom around the mouse, or move the range while Shift is held."""
+        turned = event.angleDelta()
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self._view.pan(-(turned.x() or turned.y()) * self.frames_per_pixel)
+        else:
+            self._view.zoom(ZOOM_PER_STEP ** turned.y(), self.frame_at(event.position().x()))

@@ -1,0 +1,47 @@
+"""What the actions of the table do to the workspace of the open document."""
+
+from collections.abc import Callable
+
+from mocapmend.views.workspace import Workspace
+
+COMMANDS: dict[str, Callable[[Workspace], object]] = {
+    "undo": lambda w: w.document.undo_stack.undo(),
+    "redo": lambda w: w.document.undo_stack.redo(),
+    "next_gap": lambda w: w.step_gap(1),
+    "previous_gap": lambda w: w.step_gap(-1),
+    "next_gap_here": lambda w: w.step_gap(1, same_marker=True),
+    "previous_gap_here": lambda w: w.step_gap(-1, same_marker=True),
+    "next_method": lambda w: w.repair.step_method(1),
+    "previous_method": lambda w: w.repair.step_method(-1),
+    "apply": Workspace.apply_preview,
+    "apply_next": Workspace.apply_and_go_on,
+    "fill_all": Workspace.fill_all,
+    "clear_fill": Workspace.clear_fill,
+    "play": lambda w: w.player.toggle(),
+    "next_frame": lambda w: w.step_frames(1),
+    "previous_frame": lambda w: w.step_frames(-1),
+    "forward": lambda w: w.step_seconds(1.0),
+    "back": lambda w: w.step_seconds(-1.0),
+    "first_frame": lambda w: w.go_to_frame(0),
+    "last_frame": lambda w: w.go_to_frame(w.view.frames - 1),
+    "faster": lambda w: w.player.step_speed(1),
+    "slower": lambda w: w.player.step_speed(-1),
+    "zoom_in": lambda w: w.zoom_time(0.5),
+    "zoom_out": lambda w: w.zoom_time(2.0),
+    "zoom_all": Workspace.zoom_all,
+    "view_front": lambda w: w.scene.look("front"),
+    "view_back": lambda w: w.scene.look("back"),
+    "view_left": lambda w: w.scene.look("left"),
+    "view_right": lambda w: w.scene.look("right"),
+    "view_top": lambda w: w.scene.look("top"),
+    "view_oblique": lambda w: w.scene.look("oblique"),
+}
+"""By action id."""
+
+SWITCHES: dict[str, Callable[[Workspace, bool], None]] = {
+    "follow": lambda w, on: w.scene.set_follow(on),
+    "labels": lambda w, on: w.scene.set_labels(on),
+    "trails": lambda w, on: w.scene.set_trails(on),
+    "separate": lambda w, on: w.trajectories.set_separate(on),
+}
+"""By id of a checkable action."""
