@@ -196,17 +196,17 @@ class Trajectories(QWidget):
         metrics = painter.fontMetrics()
         x, colours = float(LEFT), self._theme.curves
         for done, (order, marker) in enumerate(reversed(list(enumerate(self._view.selection)))):
-            text = f"{self._document.names[marker]}  {self._value(marker)}"
-            width = metrics.horizontalAdvance(text)
+            name, value = self._document.names[marker], f"  {self._value(marker)}"
             more = f"+{len(self._view.selection) - done}"
-            room = self.width() - RIGHT - metrics.horizontalAdvance(more)
-            if done and x + width + 18 > room:
+            room = self.width() - RIGHT - x - metrics.horizontalAdvance(value)
+            if done and room < metrics.horizontalAdvance(name + more) + 18:
                 painter.setPen(QColor(self._theme.dim))
                 painter.drawText(QPointF(x, TOP - 7), more)
                 return
+            text = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(room)) + value
             painter.setPen(QColor(colours[order % len(colours)]))
             painter.drawText(QPointF(x, TOP - 7), text)
-            x += width + 18
+            x += metrics.horizontalAdvance(text) + 18
 
     def _value(self, marker: int) -> str:
         place = self._document.points[self._view.frame, marker]
