@@ -9,6 +9,8 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.recording import Recording
 
 TOLERANCE_MM = 10.0
+CHUNK = 256
+"""Frames measured at a time: what fits into the processor's cache is several times as fast."""
 
 
 def tracked(
@@ -134,7 +136,11 @@ def bone_lengths(points: FloatArray, bones: IntArray) -> FloatArray:
         NaN where an end is missing.
     """
     ends = np.asarray(bones, dtype=np.int64).reshape(-1, 2)
-    lengths: FloatArray = np.linalg.norm(points[:, ends[:, 0]] - points[:, ends[:, 1]], axis=2)
+    lengths = np.empty((len(points), len(ends)))
+    for start in range(0, len(points), CHUNK):
+        some = points[start : start + CHUNK]
+        along = np.take(some, ends[:, 0], axis=1) - np.take(some, ends[:, 1], axis=1)
+        lengths[start : start + CHUNK] = np.sqrt(np.einsum("tbk,tbk->tb", along, along))
     return lengths
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from synthetic import record, smooth_motion
 
@@ -82,6 +83,16 @@ def test_bones():
     assert bone_lengths(points, np.empty((0, 2), dtype=int)).shape == (3, 0)
     assert bone_spread(np.empty((3, 0))).shape == (0,)
     assert np.isnan(bone_spread(np.empty((0, 2)))).all()
+
+
+@given(frames=st.integers(1, 700), seed=st.integers(0, 99))
+def test_bone_lengths_are_the_distances_of_their_ends(frames, seed):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(frames, 5, 3))
+    points[rng.random((frames, 5)) < 0.2] = np.nan
+    bones = rng.integers(0, 5, (4, 2))
+    expected = np.linalg.norm(points[:, bones[:, 0]] - points[:, bones[:, 1]], axis=2)
+    np.testing.assert_allclose(bone_lengths(points, bones), expected, rtol=1e-12)
 
 
 def test_error_summary():

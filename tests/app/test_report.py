@@ -18,7 +18,6 @@ from mocapmend_algorithms import Gap, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.contract import Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import METHODS
-from mocapmend_algorithms.metrics import bone_lengths, bone_spread
 from mocapmend_algorithms.skeleton import Skeleton
 
 SKELETON = Skeleton("", ((0, 1), (1, 2), (2, 3)), "distances")
@@ -76,7 +75,7 @@ def test_success_counts_the_same_markers_before_and_after() -> None:
         Recording(np.concatenate((made.points, never), axis=1), labels, 50.0)
         for made in (before, after)
     )
-    made = report.curves(before, after, SKELETON, no_progress)
+    made = report.summarise(before, after, SKELETON, (), (), no_progress)
     share = np.ones(10)
     share[8:] = 0.75
     assert made.success_after.instantaneous.tolist() == share.tolist()
@@ -90,7 +89,7 @@ def test_success_counts_the_same_markers_before_and_after() -> None:
 
 def test_every_open_gap_is_listed_even_if_nobody_gave_a_reason() -> None:
     before, _ = make()
-    made = report.curves(before, before, SKELETON, no_progress)
+    made = report.summarise(before, before, SKELETON, (), (), no_progress)
     assert [row.gap for row in made.open_gaps] == find_gaps(before.present)
     assert {row.reason for row in made.open_gaps} == {summary.NOT_ASKED}
     assert made.shown_bones == ()
@@ -101,35 +100,16 @@ def test_a_repaired_end_does_not_count_where_the_other_end_is_missing() -> None:
     points = after.points.copy()
     points[2:4, 1] = np.nan
     hidden = Recording(points, after.labels, 50.0)
-    made = report.curves(before, hidden, SKELETON, no_progress)
+    made = report.summarise(before, hidden, SKELETON, (), (), no_progress)
     assert made.bone_repairs.tolist() == [1, 0, 0]
 
 
 @pytest.mark.parametrize("shape", [(0, 0), (0, 3), (5, 0), (1, 1), (5, 3)])
 def test_recordings_with_nothing_in_them(shape: tuple[int, int]) -> None:
     empty = Recording(np.full((*shape, 3), np.nan), tuple("ABC"[: shape[1]]), 100.0)
-    made = report.curves(empty, empty, Skeleton("", (), "none"), no_progress)
+    made = report.summarise(empty, empty, Skeleton("", (), "none"), (), (), no_progress)
     page = render(made, About("nothing.c3d"))
     assert "No pair of markers keeps its distance" in page
-
-
-@given(
-    arrays(
-        np.float64,
-        st.tuples(st.integers(1, 700), st.integers(1, 3)),
-        elements=st.one_of(st.just(np.nan), st.floats(900, 1000)),
-        fill=st.floats(900, 1000),
-    )
-)
-def test_spread_in_one_pass_is_the_spread_of_the_lengths(lengths: np.ndarray) -> None:
-    frames, bones = lengths.shape
-    points = np.zeros((frames, bones + 1, 3))
-    points[:, 1:, 1] = lengths
-    points[np.isnan(points).any(axis=2)] = np.nan
-    recording = Recording(points, tuple(str(i) for i in range(bones + 1)), 100.0)
-    pairs = np.array([(0, 1 + bone) for bone in range(bones)])
-    expected = bone_spread(bone_lengths(points, pairs))
-    np.testing.assert_allclose(summary._spread(recording, pairs), expected, atol=1e-6)
 
 
 def test_row_of_a_patch_is_in_millimetres_and_knows_what_is_unknown() -> None:

@@ -2,7 +2,7 @@
 
 from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
 from mocapmend.report.page import About, write_html
-from mocapmend.report.summary import curves, summarise
+from mocapmend.report.summary import summarise
 
 __all__ = [
     "About",
@@ -10,7 +10,6 @@ __all__ = [
     "OpenGap",
     "RepairRow",
     "Report",
-    "curves",
     "summarise",
     "write_html",
 ]

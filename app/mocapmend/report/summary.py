@@ -7,10 +7,11 @@ import numpy as np
 from mocapmend.names import short_names
 from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
 from mocapmend_algorithms import Progress, Recording, find_gaps
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.fill.contract import Unfilled
 from mocapmend_algorithms.metrics import (
     bone_lengths,
+    bone_spread,
     success_curves,
     tracked,
 )
@@ -20,11 +21,6 @@ MOST_CURVES = 6
 CHUNK = 256
 """Frames measured at a time: what fits into the processor's cache is several times as fast."""
 NOT_ASKED = "no repair was asked for"
-
-
-def curves(before: Recording, after: Recording, skeleton: Skeleton, progress: Progress) -> Report:
-    """Compute the report of two recordings of which only the samples are known."""
-    return summarise(before, after, skeleton, (), (), progress)
 
 
 def summarise(
@@ -58,14 +54,14 @@ def summarise(
     touched = _changed_samples(before, after)
     progress(0.2)
     bones = np.array(skeleton.bones, dtype=np.int64).reshape(-1, 2)
-    spread_before = _spread(before, bones)
+    spread_before = bone_spread(bone_lengths(before.points, bones))
     progress(0.6)
     # A repaired end says nothing about a bone whose other end is missing.
     seen = _either(touched, bones) & ~_either(~after.present, bones)
     repaired = np.count_nonzero(seen, axis=0)
     moved = np.flatnonzero(np.logical_or.reduce(_either(touched, bones), axis=0))
     spread_after = spread_before.copy()
-    spread_after[moved] = _spread(after, bones[moved])
+    spread_after[moved] = bone_spread(bone_lengths(after.points, bones[moved]))
     shown = np.argsort(-repaired, kind="stable")[: min(MOST_CURVES, np.count_nonzero(repaired))]
     names = short_names(before.labels)
     progress(0.9)
@@ -113,35 +109,6 @@ def _changed_samples(before: Recording, after: Recording) -> BoolArray:
 def _either(mask: BoolArray, bones: IntArray) -> BoolArray:
     """Say where either end of a bone is marked, shape (frames, bones)."""
     return np.asarray(mask[:, bones[:, 0]] | mask[:, bones[:, 1]])
-
-
-def _spread(recording: Recording, bones: IntArray) -> FloatArray:
-    """Compute `bone_spread` in one pass, without an array of all lengths.
-
-    The lengths are taken relative to the first one known, so that squares lose no digits.
-    """
-    count, total, square = np.zeros((3, len(bones)))
-    origin = np.full(len(bones), np.nan)
-    for rows in _chunks(recording.frames if len(bones) else 0):
-        # As `bone_lengths`, but twice as fast: this is most of the report's time.
-        along = np.take(recording.points[rows], bones[:, 0], axis=1)
-        along -= np.take(recording.points[rows], bones[:, 1], axis=1)
-        lengths = np.sqrt(np.einsum("tbk,tbk->tb", along, along))
-        known = ~np.isnan(lengths)
-        new = np.isnan(origin) & known.any(axis=0)
-        if new.any():
-            at = np.flatnonzero(new)
-            origin[at] = lengths[known[:, at].argmax(axis=0), at]
-        relative = np.where(known, lengths - origin, 0.0)
-        count += np.count_nonzero(known, axis=0)
-        total += relative.sum(axis=0)
-        square += np.einsum("tb,tb->b", relative, relative)
-    measured = count >= 2
-    count = np.maximum(count, 1)
-    mean = origin + total / count
-    variance = np.maximum(square / count - (total / count) ** 2, 0.0)
-    usable = measured & (mean > 0)
-    return np.where(usable, 100 * np.sqrt(variance) / np.where(usable, mean, 1.0), np.nan)
 
 
 def _marker_rows(

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.jobs import Job, Jobs
-from mocapmend.report import Report, curves
+from mocapmend.report import Report, summarise
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.tables import dress, narrow
@@ -95,10 +95,12 @@ class ReportPane(QWidget):
         document = self._document
         job = self._jobs.compute(
             self.tr("Report"),
-            curves,
+            summarise,
             document.share_original(),
             document.share(),
             document.skeleton,
+            (),
+            (),
             quiet=True,
         )
         job.finished.connect(self._show)
