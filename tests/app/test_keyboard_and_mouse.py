@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QPushButton, QSpinBox, QWidget
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QPushButton, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend.settings import RECENT_FILES
@@ -72,6 +73,38 @@ def test_filtering_keeps_the_selection(opened: MainWindow, qtbot: QtBot) -> None
     assert field.text() == ""
     rows = workspace.markers.table.selectionModel().selectedRows()
     assert tuple(row.row() for row in rows) == selected
+
+
+def test_the_wheel_turns_only_a_field_that_has_the_focus(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    workspace.repair.step_method(2)
+    fields = [*workspace.repair.findChildren(QAbstractSpinBox), workspace.repair._method]
+    assert len(fields) == 5
+    before = [field.property("value") for field in fields]
+    for field in fields:
+        turn(field)
+    assert [field.property("value") for field in fields] == before
+    limit = workspace.repair._max_gap
+    limit.setFocus()
+    qtbot.waitUntil(limit.hasFocus)
+    turn(limit)
+    assert limit.value() == 25
+
+
+def turn(widget: QWidget) -> None:
+    """Turn the wheel by a notch over a widget."""
+    middle = QPointF(widget.rect().center())
+    event = QWheelEvent(
+        middle,
+        widget.mapToGlobal(middle),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, event)
 
 
 def button(window: MainWindow, text: str) -> QPushButton:

@@ -121,9 +121,13 @@ def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None
     assert all(gap in document.repairs for gap in filled)
     assert workspace.repair.left_open.isVisibleTo(workspace.repair)
     qtbot.mouseClick(workspace.repair.left_open, Qt.MouseButton.LeftButton)
-    tables = [table for table in workspace.findChildren(QTableWidget) if table.rowCount()]
     longer = [gap for gap in gaps if gap not in filled and gap.length < document.original.frames]
-    assert any(table.rowCount() == len(longer) for table in tables)
+    table = next(
+        table for table in workspace.findChildren(QTableWidget) if table.rowCount() == len(longer)
+    )
+    table.activated.emit(table.model().index(3, 0))
+    assert workspace.view.gap == longer[3]
+    table.window().close()
     document.undo_stack.undo()
     assert document.points.tobytes() == before.tobytes()
     assert document.undo_stack.count() == 1

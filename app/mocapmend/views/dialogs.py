@@ -1,7 +1,7 @@
 """Small dialogs: an error, the shortcuts, the gaps that stayed open."""
 
 import platform
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import PySide6
@@ -24,7 +24,7 @@ from mocapmend.actions import ACTIONS, key_texts, text_of
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
 from mocapmend.views.tables import dress
-from mocapmend_algorithms import Recording
+from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Unfilled
 
 translate = QCoreApplication.translate
@@ -89,9 +89,15 @@ def shortcuts_dialog(parent: QWidget, actions: Mapping[str, QAction]) -> QDialog
 
 
 def left_open_dialog(
-    parent: QWidget, recording: Recording, unfilled: Sequence[Unfilled]
+    parent: QWidget,
+    recording: Recording,
+    unfilled: Sequence[Unfilled],
+    go_to: Callable[[Gap], None],
 ) -> QDialog:
-    """Make the list of the gaps that a fill left open, with the reasons."""
+    """Make the list of the gaps that a fill left open, with the reasons.
+
+    A double-click, or Enter, goes to a gap; the list stays, so that one can follow the other.
+    """
     first = recording.first_frame
     rows = [
         (
@@ -106,7 +112,13 @@ def left_open_dialog(
         translate("Dialogs", "Frames"),
         translate("Dialogs", "Why it stayed open"),
     )
-    return _table_dialog(parent, translate("Dialogs", "Gaps that stayed open"), headers, rows)
+    dialog = _table_dialog(parent, translate("Dialogs", "Gaps that stayed open"), headers, rows)
+    dialog.setModal(False)
+    table = dialog.findChild(QTableWidget)
+    assert table is not None
+    table.setToolTip(translate("Dialogs", "Double-click a gap to go there"))
+    table.activated.connect(lambda index: go_to(unfilled[index.row()].gap))
+    return dialog
 
 
 def _table_dialog(

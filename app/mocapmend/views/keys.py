@@ -27,7 +27,8 @@ class KeyGuard(QObject):
     """Lets keys do to a focused button or field what they do everywhere.
 
     Space and Enter press a button, Enter commits a number or a text and Escape leaves it; after
-    that the focus goes back to the window, so that its shortcuts work again.
+    that the focus goes back to the window, so that its shortcuts work again. The wheel turns a
+    field that has the focus and scrolls over any other.
     """
 
     def guard(self, root: QWidget) -> None:
@@ -35,9 +36,16 @@ class KeyGuard(QObject):
         for kind in _CLAIMED:
             for widget in root.findChildren(kind):
                 widget.installEventFilter(self)
+                if widget.focusPolicy() == Qt.FocusPolicy.WheelFocus:
+                    widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not isinstance(event, QKeyEvent) or not isinstance(watched, QWidget):
+        if not isinstance(watched, QWidget):
+            return False
+        if event.type() == QEvent.Type.Wheel and not watched.hasFocus():
+            event.ignore()
+            return True
+        if not isinstance(event, QKeyEvent):
             return False
         plain = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if plain != Qt.KeyboardModifier.NoModifier:

@@ -182,6 +182,7 @@ class MainWindow(QMainWindow):
         stack.indexChanged.connect(self._show_undo)
         stack.cleanChanged.connect(self._show_title)
         self._keys.guard(workspace)
+        workspace.repair.rebuilt.connect(lambda: self._keys.guard(workspace.repair))
         self.stack.addWidget(workspace)
         self.stack.setCurrentWidget(workspace)
         self._show_document()

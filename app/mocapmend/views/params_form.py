@@ -20,9 +20,13 @@ UNBOUNDED = 1_000_000
 
 
 class ParamsForm(QWidget):
-    """Edits an instance of a parameter dataclass; `changed` follows every change of the user's."""
+    """Edits an instance of a parameter dataclass.
+
+    `changed` follows every change of the user's, `rebuilt` the making of new fields.
+    """
 
     changed = Signal()
+    rebuilt = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,6 +48,7 @@ class ParamsForm(QWidget):
             widget.setAccessibleName(str(entry.metadata.get("label", entry.name)))
             self._layout.addRow(str(entry.metadata.get("label", entry.name)), widget)
             self._getters[entry.name] = getter
+        self.rebuilt.emit()
 
     def params(self) -> object:
         """Return the parameters as the form shows them."""

@@ -38,9 +38,12 @@ class RepairPanel(QScrollArea):
     -------
     method_chosen : str, object
         Method id and parameters.
+    rebuilt :
+        There are new fields.
     """
 
     method_chosen = Signal(str, object)
+    rebuilt = Signal()
 
     def __init__(
         self,
@@ -116,6 +119,7 @@ class RepairPanel(QScrollArea):
         self._method = self._make_methods()
         self._form = ParamsForm()
         self._form.changed.connect(self._announce)
+        self._form.rebuilt.connect(self.rebuilt)
         self._promise = QLabel()
         self._promise.setWordWrap(True)
         self._promise.setTextFormat(Qt.TextFormat.RichText)

@@ -212,7 +212,7 @@ class Workspace(QMainWindow):
         self.repair.show_outcome("", open_gaps=False)
 
     def _show_left_open(self) -> None:
-        left_open_dialog(self, self.document.original, self._left_open).open()
+        left_open_dialog(self, self.document.original, self._left_open, self.view.go_to).show()
 
     def _push(self, edits: list[Edit], text: str) -> None:
         self.document.undo_stack.push(EditSamples(self.document, edits, text))
