@@ -53,3 +53,23 @@ def find_gaps(present: NDArray[np.bool_]) -> list[Gap]:
         for marker in np.flatnonzero(~present.all(axis=0)).tolist()
         for start, stop in runs(~present[:, marker])
     ]
+
+
+def count_gaps(present: NDArray[np.bool_]) -> tuple[list[int], list[int]]:
+    """Count the gaps of every marker.
+
+    Parameters
+    ----------
+    present : ndarray of bool, shape (frames, markers)
+        Whether each sample is there.
+
+    Returns
+    -------
+    counts, longest : list of int
+        Number of gaps and length of the longest, per marker; 0 without gaps.
+    """
+    counts, longest = [0] * present.shape[1], [0] * present.shape[1]
+    for gap in find_gaps(present):
+        counts[gap.marker] += 1
+        longest[gap.marker] = max(longest[gap.marker], gap.length)
+    return counts, longest

@@ -150,6 +150,8 @@ class Document(QObject):
 
     def share(self) -> SharedRecording:
         """Return the current samples for a background job; one copy serves all of a revision."""
+        if not self.repairs:
+            return self.share_original()
         if self._shared is None or self._shared.revision != self.revision:
             current = self.original.with_points(self.points)
             self._shared = SharedRecording(current, self.revision)

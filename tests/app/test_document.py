@@ -126,5 +126,11 @@ def test_a_snapshot_is_a_copy(document: Document) -> None:
 def test_one_shared_copy_serves_a_revision(document: Document) -> None:
     shared = document.share()
     assert document.share() is shared
+    assert document.share_original() is shared
     document.undo_stack.push(fill(document, interior(document)[0]))
-    assert document.share() is not shared
+    edited = document.share()
+    assert edited is not shared
+    assert document.share() is edited
+    assert document.share_original() is shared
+    document.undo_stack.undo()
+    assert document.share() is shared

@@ -7,7 +7,7 @@ from mocapmend import engine
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.files import C3DFile
-from mocapmend_algorithms import find_gaps
+from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.skeleton import Skeleton
 
 
@@ -71,19 +71,15 @@ def _content(source: C3DFile, skeleton: Skeleton) -> dict[str, Any]:
 
 def _markers(source: C3DFile) -> list[dict[str, Any]]:
     recording = source.recording
-    lengths: list[list[int]] = [[] for _ in recording.labels]
-    for gap in find_gaps(recording.present):
-        lengths[gap.marker].append(gap.length)
+    rows = zip(
+        recording.labels,
+        common.missing_percent(recording),
+        *count_gaps(recording.present),
+        strict=True,
+    )
     return [
-        {
-            "label": label,
-            "missing_percent": missing,
-            "gaps": len(lengths[index]),
-            "longest_gap": max(lengths[index], default=0),
-        }
-        for index, (label, missing) in enumerate(
-            zip(recording.labels, common.missing_percent(recording), strict=True)
-        )
+        {"label": label, "missing_percent": missing, "gaps": gaps, "longest_gap": longest}
+        for label, missing, gaps, longest in rows
     ]
 
 

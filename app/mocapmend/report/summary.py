@@ -9,6 +9,7 @@ from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
 from mocapmend_algorithms import Progress, Recording, find_gaps
 from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.fill.contract import Unfilled
+from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.metrics import (
     bone_lengths,
     bone_spread,
@@ -121,8 +122,8 @@ def _marker_rows(
     missing_before = np.count_nonzero(~before.present, axis=0)
     missing_after = np.count_nonzero(~after.present, axis=0)
     filled = np.count_nonzero(after.present & ~before.present, axis=0)
-    gaps_before, longest_before = _count_gaps(before)
-    gaps_after, longest_after = _count_gaps(after)
+    gaps_before, longest_before = count_gaps(before.present)
+    gaps_after, longest_after = count_gaps(after.present)
     for marker, label in enumerate(before.labels):
         own = by_marker.get(marker, [])
         lengths: dict[str, int] = {}
@@ -141,15 +142,6 @@ def _marker_rows(
             filled_by=tuple((name, 100 * count / frames) for name, count in lengths.items()),
             worst_error_mm=max(errors, default=float("nan")),
         )
-
-
-def _count_gaps(recording: Recording) -> tuple[list[int], list[int]]:
-    """Return the number of gaps and the length of the longest, per marker."""
-    counts, longest = [0] * recording.markers, [0] * recording.markers
-    for gap in find_gaps(recording.present):
-        counts[gap.marker] += 1
-        longest[gap.marker] = max(longest[gap.marker], gap.length)
-    return counts, longest
 
 
 def _open_gaps(after: Recording, unfilled: Sequence[Unfilled]) -> tuple[OpenGap, ...]:

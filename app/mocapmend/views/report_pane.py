@@ -4,7 +4,7 @@ import numpy as np
 import pyqtgraph
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QSplitter,
@@ -190,7 +190,13 @@ class ReportPane(QWidget):
     def _span(self) -> tuple[float, float]:
         return 0.0, max(1, self._document.original.frames - 1) / self._document.original.rate
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._move_playheads()
+
     def _move_playheads(self) -> None:
+        if not self.isVisible():
+            return
         for line in self._playheads:
             line.setValue(self._view.frame / self._document.original.rate)
 

@@ -3,10 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
-    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -156,14 +155,6 @@ class Scene(QWidget):
         self.camera.zoom(0.999 ** event.angleDelta().y())
         self.camera.distance = float(np.clip(self.camera.distance, *NEAR_AND_FAR * self._size))
         self.update()
-
-    def changeEvent(self, event: QEvent) -> None:
-        if event.type() == QEvent.Type.FontChange:
-            self.update()
-        super().changeEvent(event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        event.ignore()
 
     # --- painting ----------------------------------------------------------------------------
 
