@@ -24,7 +24,7 @@ EVERY = pytest.mark.parametrize("variant", VARIANTS, ids=str)
 
 
 @EVERY
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(recording=broken_recordings())
 def test_fills_only_what_it_is_given(variant, recording):
     before = recording.points.tobytes()
@@ -49,7 +49,7 @@ def test_fills_only_what_it_is_given(variant, recording):
 
 
 @EVERY
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(recording=broken_recordings(), data=st.data())
 def test_is_deterministic_and_each_gap_stands_alone(variant, recording, data):
     gaps = find_gaps(recording.present)
@@ -92,7 +92,7 @@ def test_reports_progress_and_lets_itself_be_cancelled(variant):
 
 
 @pytest.mark.parametrize("variant", [v for v in VARIANTS if v[0] != "constant"], ids=str)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     seed=st.integers(0, 1000),
     offset=st.sampled_from([0.0, 1e6]),

@@ -33,7 +33,7 @@ def test_linear_is_numpy_interp():
         np.testing.assert_allclose(values[:, axis], expected, rtol=1e-12)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     seed=st.integers(0, 10_000),
     before=st.integers(1, 30),

@@ -15,7 +15,7 @@ R90_PER_SIGMA = 2.5002777108094
 KNOTS = np.array([-3, -2, -1, 6, 7, 8])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     seed=st.integers(0, 10_000),
     frames=st.integers(10, 150),

@@ -75,7 +75,6 @@ def test_clearing_a_fill_brings_the_gap_back_and_undo_the_fill(document: Documen
 
 
 @settings(
-    deadline=None,
     max_examples=25,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
