@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Set up mocapmend from a checkout and run it, or test it.
 
-    python3 packaging/dev.py run [FILE ...]
+    python3 packaging/dev.py run [FILE]
     python3 packaging/dev.py test [PYTEST ARGUMENT ...]
 
 This file keeps to syntax that Python 3.6 can read, and imports its neighbours late, so that an

@@ -15,7 +15,7 @@ from steps import ROOT, SetupError, step
 SAMPLE = ROOT / "resources" / "mocapmend_resources" / "samples" / "sprint_basketball.c3d"
 HEADLESS = ROOT / "build" / "headless"
 HELP = """\
-python3 packaging/dev.py run [FILE ...]       open the window, by default on a bundled recording
+python3 packaging/dev.py run [FILE]           open the window, by default on a bundled recording
 python3 packaging/dev.py test [ARGUMENT ...]  run the linters, the type checker and the tests;
                                               with arguments for pytest, pytest alone
 
@@ -26,9 +26,9 @@ what is missing. Without a display, run repairs the recording from the command l
 
 def main(arguments: Sequence[str]) -> int:
     """Do what the command line says; return the exit code."""
-    task, files, passed_on = parse(arguments)
+    task, file, passed_on = parse(arguments)
     try:
-        return run(files) if task == "run" else test(passed_on)
+        return run(file) if task == "run" else test(passed_on)
     except SetupError as error:
         print(error, file=sys.stderr)
         return 1
@@ -36,8 +36,8 @@ def main(arguments: Sequence[str]) -> int:
         return 130
 
 
-def parse(arguments: Sequence[str]) -> tuple[str, list[Path], list[str]]:
-    """Split the command line into the task, the files of run, and the arguments for pytest."""
+def parse(arguments: Sequence[str]) -> tuple[str, Path | None, list[str]]:
+    """Split the command line into the task, the file of run, and the arguments for pytest."""
     own = list(arguments)
     passed_on: list[str] = []
     if own[:1] == ["test"] and own[1:2] not in (["-h"], ["--help"]):
@@ -47,10 +47,10 @@ def parse(arguments: Sequence[str]) -> tuple[str, list[Path], list[str]]:
     )
     tasks = parser.add_subparsers(dest="task", required=True, metavar="run | test")
     run_parser = tasks.add_parser("run", help="set up and run the program")
-    run_parser.add_argument("files", nargs="*", type=Path, metavar="FILE")
+    run_parser.add_argument("file", nargs="?", type=Path, metavar="FILE")
     tasks.add_parser("test", help="set up and run the tests", usage="dev.py test [ARGUMENT ...]")
     parsed = parser.parse_args(own)
-    return parsed.task, getattr(parsed, "files", []), passed_on
+    return parsed.task, getattr(parsed, "file", None), passed_on
 
 
 def prepare(extra: str = "", *, window: bool) -> Environment:
@@ -61,16 +61,15 @@ def prepare(extra: str = "", *, window: bool) -> Environment:
     return chosen
 
 
-def run(files: Sequence[Path]) -> int:
-    """Open the window on the files, or do the headless job on them where there is no display."""
-    recordings = [file.absolute() for file in files] or [SAMPLE]
+def run(file: Path | None) -> int:
+    """Open the window on a file, or do the headless job on it where there is no display."""
+    recording = SAMPLE if file is None else file.absolute()
     window = libraries.has_display()
     program: list[str | Path] = [prepare(window=window).python, "-m", "mocapmend"]
     if window:
-        return subprocess.call([*program, *recordings])
+        return subprocess.call([*program, recording])
     print("There is no display, so the recording is repaired from the command line.", flush=True)
-    codes = [repair(program, recording) for recording in recordings]
-    return next((code for code in codes if code != 0), 0)
+    return repair(program, recording)
 
 
 def repair(program: Sequence[str | Path], recording: Path) -> int:

@@ -46,16 +46,19 @@ print(dev.main())
     @pytest.mark.parametrize(
         ("words", "expected"),
         [
-            (["run"], ("run", [], [])),
-            (["run", "a.c3d", "b.c3d"], ("run", [Path("a.c3d"), Path("b.c3d")], [])),
-            (["test"], ("test", [], [])),
-            (["test", "-x", "tests/app", "-k", "a"], ("test", [], ["-x", "tests/app", "-k", "a"])),
+            (["run"], ("run", None, [])),
+            (["run", "a.c3d"], ("run", Path("a.c3d"), [])),
+            (["test"], ("test", None, [])),
+            (
+                ["test", "-x", "tests/app", "-k", "a"],
+                ("test", None, ["-x", "tests/app", "-k", "a"]),
+            ),
         ],
     )
     def test_command_line(self, dev: SimpleNamespace, words: list[str], expected: object) -> None:
         assert dev.tasks.parse(words) == expected
 
-    @pytest.mark.parametrize("words", [[], ["walk"]])
+    @pytest.mark.parametrize("words", [[], ["walk"], ["run", "a.c3d", "b.c3d"]])
     def test_wrong_usage_is_exit_code_2(
         self, dev: SimpleNamespace, words: list[str], capsys: pytest.CaptureFixture[str]
     ) -> None:

@@ -119,14 +119,25 @@ def _window(arguments: list[str], console: Console) -> int:
         return DONE
     if parsed.json:
         parser.error("--json goes with a command")
-    first = str(parsed.files[0]) if parsed.files else ""
-    meant = difflib.get_close_matches(first, COMMANDS, n=1, cutoff=0.75)
-    if meant and "." not in first and not parsed.files[0].exists():
-        parser.error(f"there is no command and no file {first!r}; did you mean {meant[0]!r}?")
-    return _open_window(parsed.files)
+    if mistake := _mistake(parsed.files):
+        parser.error(mistake)
+    return _open_window(parsed.files[0] if parsed.files else None)
 
 
-def _open_window(files: Sequence[Path]) -> int:
+def _mistake(files: Sequence[Path]) -> str:
+    """Say why these cannot be recordings to open; empty where they can."""
+    several = len(files) > 1
+    first = str(files[0]) if files else ""
+    if first and "." not in first and not files[0].exists():
+        meant = difflib.get_close_matches(first, COMMANDS, n=1, cutoff=0.75)
+        if meant:
+            return f"there is no command and no file {first!r}; did you mean {meant[0]!r}?"
+        if several:
+            return f"there is no command and no file {first!r}"
+    return "the window opens one recording at a time" if several else ""
+
+
+def _open_window(file: Path | None) -> int:
     # Nothing but the window may load Qt.
     try:
         from mocapmend.views.application import run
@@ -136,7 +147,7 @@ def _open_window(files: Sequence[Path]) -> int:
             f"The window cannot be opened: {error}.",
             todo="Install the missing system library, or use the commands (mocapmend --help).",
         ) from error
-    return run(files)
+    return run(file)
 
 
 def _bench(arguments: list[str]) -> int:

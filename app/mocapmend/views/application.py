@@ -3,7 +3,6 @@
 import logging
 import signal
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 from types import TracebackType
 
@@ -25,7 +24,7 @@ def make_application() -> QApplication:
     return QApplication(sys.argv[:1])
 
 
-def run(paths: Sequence[Path]) -> int:
+def run(path: Path | None) -> int:
     """Open the window, with a recording if one is named, and return the exit code."""
     app = make_application()
     window = MainWindow(Settings())
@@ -42,7 +41,7 @@ def run(paths: Sequence[Path]) -> int:
     # Python sees Ctrl+C in the terminal only between its own steps, and Qt takes few.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     window.show()
-    if paths:
-        window.files.open(paths[0])
+    if path is not None:
+        window.files.open(path)
     QTimer.singleShot(0, window.jobs.warm_up)
     return app.exec()

@@ -289,8 +289,9 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
     """Put a stand-in in the window's place that notes what it is to open."""
     paths: list[Path] = []
 
-    def run(files: list[Path]) -> int:
-        paths.extend(files)
+    def run(file: Path | None) -> int:
+        if file is not None:
+            paths.append(file)
         return 0
 
     module = ModuleType("mocapmend.views.application")
@@ -311,6 +312,24 @@ def test_a_file_opens_the_window(
 
 def test_no_argument_opens_an_empty_window(opened: list[Path]) -> None:
     assert main([]) == 0
+    assert opened == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["walk.c3d", "run.c3d"], "one recording at a time"),
+        (["unheard-of", "walk.c3d"], "no command and no file 'unheard-of'"),
+        (["repiar", "walk.c3d"], "did you mean 'repair'?"),
+    ],
+)
+def test_two_names_are_wrong_usage(
+    opened: list[Path], capsys: pytest.CaptureFixture[str], arguments: list[str], reason: str
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(arguments)
+    assert ended.value.code == 2
+    assert reason in capsys.readouterr().err
     assert opened == []
 
 
