@@ -119,7 +119,7 @@ def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None
     assert filled
     assert all(gap.length <= frames for gap in filled)
     assert all(gap in document.repairs for gap in filled)
-    assert workspace.repair.left_open.isVisibleTo(workspace.repair)
+    qtbot.waitUntil(lambda: not workspace.repair.left_open.visibleRegion().isEmpty())
     qtbot.mouseClick(workspace.repair.left_open, Qt.MouseButton.LeftButton)
     longer = [gap for gap in gaps if gap not in filled and gap.length < document.original.frames]
     table = next(

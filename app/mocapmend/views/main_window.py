@@ -59,6 +59,9 @@ TOOLBAR = (
     None, "follow", "labels", "trails", None,
 )  # fmt: skip
 MESSAGE_MS = 8000
+FIRST_SIZE = QSize(1280, 800)
+FRAME = QSize(16, 48)
+"""Room for the frame and the title that the window system adds."""
 
 
 class MainWindow(QMainWindow):
@@ -75,7 +78,7 @@ class MainWindow(QMainWindow):
         self.files = FileActions(self)
         self.setWindowIcon(program_icon())
         self.setAcceptDrops(True)
-        self.resize(QSize(1280, 800).boundedTo(self.screen().availableSize()))
+        self.resize(FIRST_SIZE.boundedTo(self.screen().availableSize() - FRAME))
         self.welcome = Welcome(sample_recordings(), self.theme)
         self.welcome.chosen.connect(self.files.open)
         self.welcome.browse.connect(self.files.ask_and_open)

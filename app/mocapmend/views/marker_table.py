@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
+from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.tables import dress, narrow
 from mocapmend.viewstate import ViewState
 
@@ -157,6 +158,7 @@ class MarkerTable(QWidget):
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         table.setAccessibleName(self.tr("Markers"))
         dress(table)
+        table.setItemDelegateForColumn(0, LabelDelegate(table))
         widths = {}
         for column, widest in ((1, "100.0 %"), (2, "0000"), (3, "00000")):
             texts = (widest, str(self._model.headerData(column, Qt.Orientation.Horizontal)))

@@ -4,7 +4,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -104,6 +104,10 @@ class RepairPanel(QScrollArea):
         self._outcome.setText(text)
         self._outcome.setVisible(bool(text))
         self.left_open.setVisible(open_gaps)
+        if text:
+            # Later, when the layout has made room for it.
+            last = self.left_open if open_gaps else self._outcome
+            QTimer.singleShot(0, self, lambda: self.ensureWidgetVisible(last))
 
     # --- parts -------------------------------------------------------------------------------
 
@@ -126,11 +130,15 @@ class RepairPanel(QScrollArea):
         self._promise.setMinimumHeight(self._promise.fontMetrics().height() * 4)
         self._promise.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._apply = ActionButton(actions["apply"], self.tr("Apply"))
-        self._clear = ActionButton(actions["clear_fill"], self.tr("Turn back into a gap"))
+        self._clear = ActionButton(actions["clear_fill"], self.tr("Reopen the gap"))
+        decide = QHBoxLayout()
+        decide.addWidget(self._apply)
+        decide.addWidget(self._clear)
         layout.addWidget(self._title)
         layout.addLayout(steps)
-        for part in (self._method, self._form, self._promise, self._apply, self._clear):
+        for part in (self._method, self._form, self._promise):
             layout.addWidget(part)
+        layout.addLayout(decide)
         return box
 
     def _make_methods(self) -> QComboBox:

@@ -20,12 +20,13 @@ from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.columns import column_edges, columns_with
+from mocapmend.views.labels import elided
 from mocapmend.views.lane import ticks
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
-GUTTER = 92
+GUTTER = 116
 RULER = 20
 NAME_MARGIN = 5
 """Room above the first and below the last lane for their names, which are taller than lanes."""
@@ -266,9 +267,7 @@ class Timeline(QAbstractScrollArea):
                 painter.fillRect(place, QColor(self._theme.accent))
             painter.setPen(QColor(self._theme.on_accent if marker in chosen else self._theme.dim))
             place.adjust(4, 0, -4, 0)
-            text = metrics.elidedText(
-                labels[marker], Qt.TextElideMode.ElideMiddle, int(place.width())
-            )
+            text = elided(labels[marker], metrics, int(place.width()))
             painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
 
     def _paint_current_gap(self, painter: QPainter) -> None:

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from mocapmend.document import Document
 from mocapmend.theme import Theme
+from mocapmend.views.labels import elided
 from mocapmend.views.lane import Curve, Frame, Lane, LanePainter, ticks
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend.viewstate import ViewState
@@ -203,7 +204,7 @@ class Trajectories(QWidget):
                 painter.setPen(QColor(self._theme.dim))
                 painter.drawText(QPointF(x, TOP - 7), more)
                 return
-            text = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(room)) + value
+            text = elided(name, metrics, int(room)) + value
             painter.setPen(QColor(colours[order % len(colours)]))
             painter.drawText(QPointF(x, TOP - 7), text)
             x += metrics.horizontalAdvance(text) + 18

@@ -327,7 +327,7 @@ class Workspace(QMainWindow):
 
     def _size_panes(self) -> None:
         markers, repair, timeline, _ = self._panes
-        self.resizeDocks([markers, repair], [290, 280], Qt.Orientation.Horizontal)
+        self.resizeDocks([markers, repair], [310, 280], Qt.Orientation.Horizontal)
         height = self.timeline.sizeHint().height() + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self._first_layout = self.saveState(LAYOUT_VERSION)
