@@ -5,24 +5,16 @@ import tempfile
 import time
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
+
+from mocapmend.views.first_paint import FirstPaint
 
 
-class FirstPaint(QObject):
-    """Waits for the first paint event of a widget."""
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
-        """Print the time once the event has been handled, and end."""
-        if event.type() == QEvent.Type.Paint and isinstance(watched, QWidget):
-            watched.removeEventFilter(self)
-            app = QApplication.instance()
-            assert app is not None
-            app.processEvents()
-            sys.stdout.write(f"{time.time():.6f}\n")
-            sys.stdout.flush()
-            app.quit()
-        return False
+def stop(app: QApplication) -> None:
+    """Print the time and end the program."""
+    sys.stdout.write(f"{time.time():.6f}\n")
+    sys.stdout.flush()
+    app.quit()
 
 
 def bare() -> None:
@@ -33,8 +25,7 @@ def bare() -> None:
     plot = pyqtgraph.PlotWidget()
     plot.plot([0, 1, 2], [0, 1, 0])
     plot.resize(1280, 800)
-    waiting = FirstPaint()
-    plot.viewport().installEventFilter(waiting)
+    FirstPaint(plot.viewport()).painted.connect(lambda: stop(app))
     plot.show()
     app.exec()
 
@@ -51,8 +42,7 @@ def program() -> None:
     with tempfile.TemporaryDirectory() as folder:
         store = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         window = MainWindow(Settings(store))
-        waiting = FirstPaint()
-        window.installEventFilter(waiting)
+        FirstPaint(window).painted.connect(lambda: stop(app))
         window.show()
         app.exec()
         window.jobs.shut_down()

@@ -6,11 +6,12 @@ import sys
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
 
 from mocapmend import __version__
 from mocapmend.settings import Settings
+from mocapmend.views.first_paint import FirstPaint
 from mocapmend.views.main_window import MainWindow
 
 log = logging.getLogger(__name__)
@@ -40,8 +41,8 @@ def run(path: Path | None) -> int:
     sys.excepthook = show_unexpected
     # Python sees Ctrl+C in the terminal only between its own steps, and Qt takes few.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    FirstPaint(window).painted.connect(window.get_ready)
     window.show()
     if path is not None:
-        window.files.open(path)
-    QTimer.singleShot(0, window.jobs.warm_up)
+        window.open(path)
     return app.exec()

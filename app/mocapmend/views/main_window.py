@@ -2,7 +2,9 @@
 
 import logging
 from collections.abc import Callable
+from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData, QSize, Qt, QUrl
 from PySide6.QtGui import (
@@ -23,9 +25,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend import __version__, theme
 from mocapmend.actions import ACTIONS, MENUS, make_actions
-from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
-from mocapmend.files import C3DFile
 from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
 from mocapmend.settings import (
@@ -35,8 +35,8 @@ from mocapmend.settings import (
     Settings,
 )
 from mocapmend.theme import DARK, LIGHT, THEMES, Theme
+from mocapmend.views.action_calls import COMMANDS, FILE_COMMANDS, SWITCHES
 from mocapmend.views.dialogs import environment, error_box, shortcuts_dialog
-from mocapmend.views.file_actions import FileActions
 from mocapmend.views.icons import icon, program_icon
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend.views.keys import KeyGuard
@@ -44,9 +44,12 @@ from mocapmend.views.notes import NotesBar
 from mocapmend.views.samples import sample_recordings
 from mocapmend.views.transport import Transport
 from mocapmend.views.welcome import Welcome
-from mocapmend.views.workspace import Workspace
-from mocapmend.views.workspace_actions import COMMANDS, SWITCHES
-from mocapmend_algorithms.skeleton import Skeleton
+
+if TYPE_CHECKING:
+    from mocapmend.files import C3DFile
+    from mocapmend.views.file_actions import FileActions
+    from mocapmend.views.workspace import Workspace
+    from mocapmend_algorithms.skeleton import Skeleton
 
 log = logging.getLogger(__name__)
 
@@ -75,13 +78,12 @@ class MainWindow(QMainWindow):
         self.theme: Theme = THEMES.get(settings.get(THEME), DARK)
         self.actions_by_id = dict(make_actions(self))
         self._keys = KeyGuard(self)
-        self.files = FileActions(self)
         self.setWindowIcon(program_icon())
         self.setAcceptDrops(True)
         self.resize(FIRST_SIZE.boundedTo(self.screen().availableSize() - FRAME))
         self.welcome = Welcome(sample_recordings(), self.theme)
-        self.welcome.chosen.connect(self.files.open)
-        self.welcome.browse.connect(self.files.ask_and_open)
+        self.welcome.chosen.connect(self.open)
+        self.welcome.browse.connect(self.actions_by_id["open"].trigger)
         self.stack = QStackedWidget()
         self.stack.addWidget(self.welcome)
         self.setCentralWidget(self.stack)
@@ -98,6 +100,20 @@ class MainWindow(QMainWindow):
         self.actions_by_id["trails"].setChecked(True)
         self._show_theme()
         self._show_document()
+
+    @cached_property
+    def files(self) -> "FileActions":
+        """The file menu; what reads and repairs files is loaded when it is first needed."""
+        from mocapmend.views.file_actions import FileActions
+
+        return FileActions(self)
+
+    def get_ready(self) -> None:
+        """Load and start what the first recording needs, once the user sees the window."""
+        import mocapmend.views.workspace  # noqa: F401
+
+        assert self.files is not None
+        self.jobs.warm_up()
 
     # --- making ------------------------------------------------------------------------------
 
@@ -145,10 +161,6 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         plain: dict[str, Callable[[], object]] = {
-            "open": self.files.ask_and_open,
-            "export": self.files.ask_and_export,
-            "save_report": self.files.ask_and_save_report,
-            "close": self.files.close,
             "quit": self.close,
             "shortcuts": lambda: shortcuts_dialog(self, self.actions_by_id).open(),
             "log": lambda: QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_path()))),
@@ -156,6 +168,8 @@ class MainWindow(QMainWindow):
         }
         for name, call in plain.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, call=call: call())
+        for name, do in FILE_COMMANDS.items():
+            self.actions_by_id[name].triggered.connect(lambda _=False, do=do: do(self.files))
         for name, use in COMMANDS.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, use=use: self._with(use))
         for name, switch in SWITCHES.items():
@@ -164,14 +178,21 @@ class MainWindow(QMainWindow):
             )
         self.actions_by_id["theme"].toggled.connect(self._choose_theme)
 
-    def _with(self, use: Callable[[Workspace], object]) -> None:
+    def _with(self, use: "Callable[[Workspace], object]") -> None:
         if self.workspace is not None:
             use(self.workspace)
 
     # --- documents ---------------------------------------------------------------------------
 
-    def show_source(self, source: C3DFile, skeleton: Skeleton) -> None:
+    def open(self, path: Path) -> None:
+        """Open a recording; the present one stays until the new one is fully read."""
+        self.files.open(path)
+
+    def show_source(self, source: "C3DFile", skeleton: "Skeleton") -> None:
         """Show a recording that has been read in place of the present one."""
+        from mocapmend.document import Document
+        from mocapmend.views.workspace import Workspace
+
         self.drop_workspace()
         workspace = Workspace(
             Document(source, skeleton), self.jobs, self.settings, self.theme, self.actions_by_id
@@ -295,7 +316,7 @@ class MainWindow(QMainWindow):
         for text in recent:
             action = QAction(Path(text).name.replace("&", "&&"), self.recent_menu)
             action.setToolTip(text)
-            action.triggered.connect(lambda _=False, text=text: self.files.open(Path(text)))
+            action.triggered.connect(lambda _=False, text=text: self.open(Path(text)))
             self.recent_menu.addAction(action)
         if not recent:
             self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
@@ -322,7 +343,7 @@ class MainWindow(QMainWindow):
         path = _dropped_file(event.mimeData())
         if path is not None:
             event.acceptProposedAction()
-            self.files.open(path)
+            self.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.workspace is not None and not self.workspace.document.undo_stack.isClean():

@@ -1,10 +1,21 @@
-"""What the actions of the table do to the workspace of the open document."""
+"""What the actions of the table do to the files and to the workspace of the open document."""
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from mocapmend.views.workspace import Workspace
+if TYPE_CHECKING:
+    from mocapmend.views.file_actions import FileActions
+    from mocapmend.views.workspace import Workspace
 
-COMMANDS: dict[str, Callable[[Workspace], object]] = {
+FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
+    "open": lambda f: f.ask_and_open(),
+    "export": lambda f: f.ask_and_export(),
+    "save_report": lambda f: f.ask_and_save_report(),
+    "close": lambda f: f.close(),
+}
+"""By action id."""
+
+COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "undo": lambda w: w.document.undo_stack.undo(),
     "redo": lambda w: w.document.undo_stack.redo(),
     "next_gap": lambda w: w.step_gap(1),
@@ -13,10 +24,10 @@ COMMANDS: dict[str, Callable[[Workspace], object]] = {
     "previous_gap_here": lambda w: w.step_gap(-1, same_marker=True),
     "next_method": lambda w: w.repair.step_method(1),
     "previous_method": lambda w: w.repair.step_method(-1),
-    "apply": Workspace.apply_preview,
-    "apply_next": Workspace.apply_and_go_on,
-    "fill_all": Workspace.fill_all,
-    "clear_fill": Workspace.clear_fill,
+    "apply": lambda w: w.apply_preview(),
+    "apply_next": lambda w: w.apply_and_go_on(),
+    "fill_all": lambda w: w.fill_all(),
+    "clear_fill": lambda w: w.clear_fill(),
     "play": lambda w: w.player.toggle(),
     "next_frame": lambda w: w.step_frames(1),
     "previous_frame": lambda w: w.step_frames(-1),
@@ -28,7 +39,7 @@ COMMANDS: dict[str, Callable[[Workspace], object]] = {
     "slower": lambda w: w.player.step_speed(-1),
     "zoom_in": lambda w: w.zoom_time(0.5),
     "zoom_out": lambda w: w.zoom_time(2.0),
-    "zoom_all": Workspace.zoom_all,
+    "zoom_all": lambda w: w.zoom_all(),
     "view_front": lambda w: w.scene.look("front"),
     "view_back": lambda w: w.scene.look("back"),
     "view_left": lambda w: w.scene.look("left"),
@@ -38,7 +49,7 @@ COMMANDS: dict[str, Callable[[Workspace], object]] = {
 }
 """By action id."""
 
-SWITCHES: dict[str, Callable[[Workspace, bool], None]] = {
+SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
     "follow": lambda w, on: w.scene.set_follow(on),
     "labels": lambda w, on: w.scene.set_labels(on),
     "trails": lambda w, on: w.scene.set_trails(on),
