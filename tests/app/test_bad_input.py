@@ -63,6 +63,8 @@ def test_a_truncated_file_opens_and_is_saved_only_after_a_yes(
     assert workspace is not None
     assert workspace.document.source.truncated
     assert window.notes.isVisible()
+    there = workspace.document.original.frames
+    assert f"{there} of 3678 frames are there" in window.statusBar().currentMessage()
     out = tmp_path / "out.c3d"
     asked: list[str] = []
 

@@ -193,7 +193,11 @@ class FileActions(QObject):
         self._window.settings.remember_file(str(path))
         if not is_sample(path):
             self._window.settings.set(LAST_FOLDER, str(path.parent))
-        self._window.say(self.tr("Opened {0}").format(path.name))
+        opened = self.tr("Opened {0}")
+        if source.truncated:
+            opened = self.tr("Opened {0}, which is truncated: {1} of {2} frames are there")
+        layout = source.layout
+        self._window.say(opened.format(path.name, layout.frames, layout.frames_promised))
 
     def _exported(
         self,
