@@ -122,6 +122,18 @@ def test_far_edits_change_no_value(variant):
 
 
 @EVERY
+def test_never_looks_into_a_gap_that_it_is_given(variant):
+    gaps = [Gap(0, 60, 75), Gap(0, 140, 150)]
+    points = smooth_motion(240, 2)
+    hidden = fill_with(variant, record(punch(points, gaps)), gaps).patches
+    points[60:75, 0] += 100.0
+    for patch, same in zip(fill_with(variant, record(points), gaps).patches, hidden, strict=True):
+        assert patch.values.tobytes() == same.values.tobytes()
+        assert patch.sigma.tobytes() == same.sigma.tobytes()
+        assert patch.r90.tobytes() == same.r90.tobytes()
+
+
+@EVERY
 def test_moves_with_the_recording(variant):
     gaps = [Gap(0, 40, 55), Gap(1, 90, 93)]
     points = punch(smooth_motion(160, 2), gaps)

@@ -12,7 +12,7 @@ system would show; it does not meet the edges.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from typing import Any, Literal
 
 import numpy as np
@@ -93,8 +93,19 @@ def kalman(
     """
     causal = params.direction == "causal"
     steps = _steps(params.velocity_interval_ms, recording.rate) if causal else (1,)
+
+    @cache
+    def candidates(marker: int) -> list[Candidate]:
+        points = recording.points[:, marker].copy()
+        for gap in gaps:
+            if gap.marker == marker:
+                points[gap.start : gap.stop] = np.nan
+        # Only the ratio of the two noises matters; this one turns a ratio into millimetres.
+        unit = np.sqrt(process_noise(points, recording.rate) / recording.rate**3) * recording.mm
+        return _candidates(unit, recording.rate, params, steps)
+
     method = WindowMethod(
-        lambda marker: _candidates(recording, marker, params, steps),
+        candidates,
         "the filter",
         reach=max(REACH, 4 * max(steps)),
         least_before=2 if causal else 1,
@@ -107,12 +118,8 @@ def _steps(interval_ms: float | None, rate: float) -> Steps:
     return tuple(sorted({max(1, round(ms / 1000 * rate)) for ms in intervals}))
 
 
-def _candidates(
-    recording: Recording, marker: int, params: KalmanParams, steps: Steps
-) -> list[Candidate]:
+def _candidates(unit: float, rate: float, params: KalmanParams, steps: Steps) -> list[Candidate]:
     causal = params.direction == "causal"
-    # Only the ratio of the two noises matters; the second turns a ratio into millimetres.
-    unit = np.sqrt(process_noise(recording, marker) / recording.rate**3) * recording.mm
     ratios: tuple[float, ...] = CAUSAL_RATIOS if causal else RATIOS
     if params.noise_mm is not None:
         ratio = (params.noise_mm / unit) ** 2 if unit > 0 else MOST_RATIO
@@ -121,7 +128,7 @@ def _candidates(
         Candidate(
             partial(_solve, ratio=ratio, step=step, causal=causal),
             partial(_shape, ratio=ratio, step=step, causal=causal),
-            _notes(params, ratio, unit, step * 1000 / recording.rate),
+            _notes(params, ratio, unit, step * 1000 / rate),
         )
         for step in steps
         for ratio in ratios
@@ -136,8 +143,15 @@ def _notes(params: KalmanParams, ratio: float, unit: float, interval_ms: float) 
     return notes
 
 
-def process_noise(recording: Recording, marker: int) -> float:
+def process_noise(points: FloatArray, rate: float) -> float:
     """Estimate the spectral density of a marker's acceleration.
+
+    Parameters
+    ----------
+    points : ndarray, shape (frames, 3)
+        Its trajectory, NaN where missing.
+    rate : float
+        Frames per second (Hz).
 
     Returns
     -------
@@ -145,13 +159,12 @@ def process_noise(recording: Recording, marker: int) -> float:
         In length unit^2 / s^3 per axis, from the change of velocity within 0.1 s (var of the
         second difference over h is 2 q h^3 / 3); 0 where the marker is never seen long enough.
     """
-    points = recording.points[:, marker]
-    for lag in (max(1, round(VELOCITY_LAG_S * recording.rate)), 1):
+    for lag in (max(1, round(VELOCITY_LAG_S * rate)), 1):
         change = points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag]
         square = np.sum(change**2, axis=1)
         square = square[~np.isnan(square)]
         if square.size:
-            return float(np.mean(square) / 3 * 1.5 * (recording.rate / lag) ** 3)
+            return float(np.mean(square) / 3 * 1.5 * (rate / lag) ** 3)
     return 0.0
 
 
