@@ -77,6 +77,20 @@ def test_a_lane_shows_missing_and_filled(
     assert image.pixelColor(x, y) == QColor(theme.state_colour(SampleState.MISSING))
 
 
+def test_the_current_gap_is_outlined_where_it_is_in_view(
+    document: Document, view: ViewState, qtbot: QtBot
+) -> None:
+    gap = next(g for g in document.gaps if 60 < g.start and g.stop < 233)
+    timeline = Timeline(document, view, DARK)
+    qtbot.addWidget(timeline)
+    ink = QColor(DARK.preview).rgba()
+    view.set_gap(gap)
+    assert colours(picture(qtbot, timeline))[ink] > 0
+    for start in (gap.stop + 10, gap.start - 60):
+        view.set_visible(start, start + 50)
+        assert colours(picture(qtbot, timeline))[ink] == 0
+
+
 def test_the_plots_shade_gaps_and_show_the_preview_with_its_band(
     document: Document, view: ViewState, gap: Gap, qtbot: QtBot
 ) -> None:

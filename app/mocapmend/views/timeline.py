@@ -275,6 +275,8 @@ class Timeline(QAbstractScrollArea):
         if gap is None:
             return
         left, right = self.axis.x_of(gap.start), self.axis.x_of(gap.stop)
+        if right < GUTTER:
+            return
         top = self.lane_top(gap.marker)
         painter.setPen(QPen(QColor(self._theme.preview), 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
