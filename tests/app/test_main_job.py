@@ -106,6 +106,18 @@ def test_the_whole_job_by_keyboard(
     assert np.allclose(repaired, document.points, atol=1e-3, equal_nan=True)
 
 
+def test_a_preview_beyond_the_limit_says_so(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    wait_for_preview(qtbot, workspace)
+    assert "above the limit" not in workspace.repair._promise.text()
+    gaps = [g for g in workspace.document.gaps if g.kind(workspace.view.frames) == "interior"]
+    workspace.view.go_to(max(gaps, key=lambda gap: gap.length))
+    wait_for_preview(qtbot, workspace)
+    assert "above the limit of 20 mm" in workspace.repair._promise.text()
+    workspace.repair._limit_error.setChecked(False)
+    assert "above the limit" not in workspace.repair._promise.text()
+
+
 def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
     document = workspace.document

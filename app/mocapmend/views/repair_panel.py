@@ -63,8 +63,8 @@ class RepairPanel(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         layout = QVBoxLayout(body)
-        layout.setContentsMargins(8, 8, 8, 8)
-        layout.setSpacing(10)
+        layout.setContentsMargins(8, 2, 8, 2)
+        layout.setSpacing(4)
         layout.addWidget(self._make_gap_box(actions))
         layout.addWidget(self._make_all_box(actions))
         layout.addStretch(1)
@@ -174,6 +174,8 @@ class RepairPanel(QScrollArea):
         self._max_error.setEnabled(self._limit_error.isChecked())
         self._max_error.valueChanged.connect(lambda mm: self._settings.set(MAX_ERROR_MM, mm))
         self._limit_error.toggled.connect(self._max_error.setEnabled)
+        self._limit_error.toggled.connect(self._show_gap)
+        self._max_error.valueChanged.connect(self._show_gap)
         form = QFormLayout()
         form.addRow(self.tr("up to"), self._max_gap)
         form.addRow(self._limit_error, self._max_error)
@@ -260,6 +262,9 @@ class RepairPanel(QScrollArea):
             return self.tr("<b>Stays open:</b> {0}").format(escape(preview.reason))
         text = self._error_text(preview.patch.expected_error)
         mm = self._document.original.mm
+        limit = self.max_error_mm()
+        if preview.patch.expected_error * mm > limit:
+            text += self.tr(", <b>⚠ above the limit of {0} mm</b>").format(f"{limit:g}")
         radius = float(np.median(preview.patch.r90)) * mm
         if np.isfinite(radius):
             text += self.tr("; 90 % of the tests within {0} mm").format(f"{radius:.1f}")
