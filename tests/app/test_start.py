@@ -21,6 +21,17 @@ def test_the_window_starts_without_what_it_needs_later() -> None:
     assert done.stdout.strip() == "[]"
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there always is a display")
+def test_without_a_display_the_window_says_so(
+    monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        monkeypatch.delenv(name, raising=False)
+    done = subprocess.run([sys.executable, "-m", "mocapmend", "walk.c3d"], check=False, timeout=60)
+    assert done.returncode == 1
+    assert capfd.readouterr().err.startswith("mocapmend: There is no display")
+
+
 @pytest.mark.parametrize("bench", ["io", "gui"])
 def test_a_benchmark_prints_its_table(
     bench: str, capsys: pytest.CaptureFixture[str], qtbot: QtBot

@@ -1,6 +1,7 @@
 """Start of the window."""
 
 import logging
+import os
 import signal
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
 
 from mocapmend import __version__
+from mocapmend.errors import MocapmendError
 from mocapmend.settings import Settings
 from mocapmend.views.first_paint import FirstPaint
 from mocapmend.views.main_window import MainWindow
@@ -25,8 +27,31 @@ def make_application() -> QApplication:
     return QApplication(sys.argv[:1])
 
 
+def require_display() -> None:
+    """Refuse where Qt would abort the whole program.
+
+    Raises
+    ------
+    MocapmendError
+        If there is no screen to open a window on.
+    """
+    named = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    if sys.platform == "linux" and not any(os.environ.get(name) for name in named):
+        raise MocapmendError(
+            "There is no display to open the window on.",
+            todo="Log in to a desktop (over SSH: ssh -X), or use the commands (mocapmend --help).",
+        )
+
+
 def run(path: Path | None) -> int:
-    """Open the window, with a recording if one is named, and return the exit code."""
+    """Open the window, with a recording if one is named, and return the exit code.
+
+    Raises
+    ------
+    MocapmendError
+        If there is no screen to open a window on.
+    """
+    require_display()
     app = make_application()
     window = MainWindow(Settings())
 
