@@ -23,9 +23,9 @@ def test_ids_and_keys_are_unique(window: MainWindow) -> None:
 
 
 def test_every_action_is_in_its_menu_and_does_something(window: MainWindow) -> None:
-    menus = [action.menu() for action in window.menuBar().actions()]
-    assert len(menus) == len(MENUS)
-    listed = {action.objectName() for menu in menus for action in menu.actions()}
+    titles = window.menuBar().actions()
+    assert len(titles) == len(MENUS)
+    listed = {action.objectName() for title in titles for action in title.menu().actions()}
     for spec in ACTIONS:
         assert spec.id in listed
         signal = SIGNAL("toggled(bool)") if spec.checkable else SIGNAL("triggered(bool)")
