@@ -176,6 +176,8 @@ class Timeline(QAbstractScrollArea):
                 gap.length,
                 round(1000.0 * gap.length / original.rate),
             )
+        elif place.x() >= GUTTER:
+            text += self.tr(": measured here")
         QToolTip.showText(on_screen, text, self)
 
     # --- painting ----------------------------------------------------------------------------
