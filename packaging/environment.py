@@ -18,6 +18,7 @@ print(all(importlib.util.find_spec(name) for name in ("mocapmend", "PySide6")))
 sys.exit(sys.version_info < (3, 11))
 """
 LOAD_QT = "import PySide6.QtWidgets, PySide6.QtOpenGL, PySide6.QtOpenGLWidgets"
+REACH_DISPLAY = "from PySide6.QtGui import QGuiApplication; QGuiApplication([])"
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,11 @@ class Environment:
             return None
         *version, installed = done.stdout.splitlines()
         return " ".join(version), installed == "True"
+
+    def reaches_display(self) -> bool:
+        """Tell whether Qt can talk to the display; where it cannot, it ends its process."""
+        done = subprocess.run([self.python, "-c", REACH_DISPLAY], capture_output=True, check=False)
+        return done.returncode == 0
 
     def stamp(self, extra: str) -> Path:
         """Return the file that records a finished installation with an extra ("" for none)."""

@@ -64,11 +64,13 @@ def prepare(extra: str = "", *, window: bool) -> Environment:
 def run(file: Path | None) -> int:
     """Open the window on a file, or do the headless job on it where there is no display."""
     recording = SAMPLE if file is None else file.absolute()
-    window = libraries.has_display()
-    program: list[str | Path] = [prepare(window=window).python, "-m", "mocapmend"]
-    if window:
+    named = libraries.has_display()
+    ready = prepare(window=named)
+    program: list[str | Path] = [ready.python, "-m", "mocapmend"]
+    if named and (sys.platform != "linux" or ready.reaches_display()):
         return subprocess.call([*program, recording])
-    print("There is no display, so the recording is repaired from the command line.", flush=True)
+    trouble = "The display cannot be reached" if named else "There is no display"
+    print(f"{trouble}, so the recording is repaired from the command line.", flush=True)
     return repair(program, recording)
 
 

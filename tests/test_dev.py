@@ -78,7 +78,13 @@ sys.exit(3 if sys.argv[1] == {fails!r} else 0)
 
 class TestTasks:
     def program(
-        self, dev: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, folder: Path, fails: str
+        self,
+        dev: SimpleNamespace,
+        monkeypatch: pytest.MonkeyPatch,
+        folder: Path,
+        *,
+        fails: str = "",
+        display: bool = True,
     ) -> Path:
         """Put a program that only notes its arguments in the place of mocapmend."""
         log = folder / "calls"
@@ -87,7 +93,7 @@ class TestTasks:
         (package / "__init__.py").touch()
         (package / "__main__.py").write_text(STUB.format(log=str(log), fails=fails))
         monkeypatch.setenv("PYTHONPATH", str(package.parent))
-        ready = SimpleNamespace(python=Path(sys.executable))
+        ready = SimpleNamespace(python=Path(sys.executable), reaches_display=lambda: display)
         monkeypatch.setattr(dev.tasks, "prepare", lambda *_, **__: ready)
         monkeypatch.setattr(dev.tasks, "HEADLESS", folder / "out")
         return log
@@ -95,7 +101,7 @@ class TestTasks:
     def test_headless_run_repairs_then_checks(
         self, dev: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     ) -> None:
-        log = self.program(dev, monkeypatch, tmp_path, fails="")
+        log = self.program(dev, monkeypatch, tmp_path)
         monkeypatch.setattr(dev.libraries, "has_display", lambda: False)
         assert dev.tasks.main(["run"]) == 0
         repaired = tmp_path / "out" / "sprint_basketball_repaired.c3d"
@@ -118,10 +124,35 @@ class TestTasks:
     def test_run_with_a_display_opens_the_window(
         self, dev: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     ) -> None:
-        log = self.program(dev, monkeypatch, tmp_path, fails="")
+        log = self.program(dev, monkeypatch, tmp_path)
         monkeypatch.setattr(dev.libraries, "has_display", lambda: True)
         assert dev.tasks.main(["run"]) == 0
         assert log.read_text().splitlines() == [str(dev.tasks.SAMPLE)]
+
+    @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there always is a display")
+    def test_run_with_a_display_that_is_out_of_reach_is_headless(
+        self,
+        dev: SimpleNamespace,
+        monkeypatch: pytest.MonkeyPatch,
+        tmp_path: Path,
+        capsys: pytest.CaptureFixture[str],
+    ) -> None:
+        log = self.program(dev, monkeypatch, tmp_path, display=False)
+        monkeypatch.setattr(dev.libraries, "has_display", lambda: True)
+        assert dev.tasks.main(["run"]) == 0
+        assert log.read_text().startswith("repair|")
+        assert "cannot be reached" in capsys.readouterr().out
+
+    @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there always is a display")
+    def test_a_display_that_nobody_serves_is_not_reached(
+        self, dev: SimpleNamespace, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        here = dev.environment.Environment(Path(sys.prefix))
+        monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
+        monkeypatch.setenv("DISPLAY", ":987")
+        assert not here.reaches_display()
+        monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
+        assert here.reaches_display()
 
     @pytest.mark.parametrize(
         ("arguments", "failing", "pytest_code", "code"),
