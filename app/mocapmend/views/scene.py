@@ -269,10 +269,10 @@ class Scene(QWidget):
                 current = marker in self._view.selection
                 painter.setPen(QColor(self._theme.text if current else self._theme.dim))
                 width = painter.fontMetrics().horizontalAdvance(labels[marker])
-                # On the other side where it would leave the picture.
-                left = (
-                    place[0] + 10 if place[0] + 10 + width < self.width() else place[0] - 10 - width
-                )
+                left = place[0] + 10
+                if left + width > self.width():
+                    # On the other side, but never with its beginning out of the picture.
+                    left = max(2.0, place[0] - 10 - width)
                 painter.drawText(QPointF(left, place[1] - 6), labels[marker])
 
     def _paint_axes(self, painter: QPainter) -> None:
