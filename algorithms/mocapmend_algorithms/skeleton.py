@@ -25,6 +25,8 @@ LENGTH_POWER = 1.5
 LOOSEST = 0.35
 RIGID = 0.06
 MOST_BONES = 3
+MOST_MARKERS = 1000
+"""All pairs are measured: of more markers, which no body wears, memory could run out."""
 
 
 @dataclass(frozen=True)
@@ -160,9 +162,11 @@ def skeleton_from_distances(recording: Recording, progress: Progress) -> Skeleto
     Returns
     -------
     Skeleton
-        Without bones, and source "none", where nothing keeps its distance. Markers that are never
-        seen get no bone.
+        Without bones, and source "none", where nothing keeps its distance or there are more than
+        1000 markers. Markers that are never seen get no bone.
     """
+    if recording.markers > MOST_MARKERS:
+        return Skeleton("", (), "none")
     step = max(1, recording.frames // MOST_FRAMES)
     length, spread, together = _distances(recording.points[::step] * recording.mm, progress)
     least = max(2, min(LEAST_TOGETHER, -(-recording.frames // step) // 4))

@@ -8,6 +8,7 @@ from synthetic import record
 
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.skeleton import (
+    MOST_MARKERS,
     Template,
     match_template,
     parse_template,
@@ -159,6 +160,14 @@ def test_nothing_to_join(shape):
 
 
 @pytest.mark.shared
+@pytest.mark.parametrize(("markers", "source"), [(12, "distances"), (MOST_MARKERS + 1, "none")])
+def test_a_crowd_of_markers_is_not_measured_pair_by_pair(markers, source):
+    points = rigid_body(markers, 20, np.random.default_rng(5))
+    found = skeleton_from_distances(record(points), no_progress)
+    assert found.source == source
+    assert bool(found.bones) == (source == "distances")
+
+
 def test_a_real_walk_has_the_sticks_of_a_body(shared):
     data = np.load(shared / "cmu_markers" / "132_43.npz")
     names = data["names"].tolist()

@@ -77,6 +77,24 @@ def test_a_lane_shows_missing_and_filled(
     assert image.pixelColor(x, y) == QColor(theme.state_colour(SampleState.MISSING))
 
 
+def test_a_lane_out_of_view_is_scrolled_to_and_painted_in_its_place(
+    document: Document, view: ViewState, gap: Gap, qtbot: QtBot
+) -> None:
+    timeline = Timeline(document, view, DARK)
+    qtbot.addWidget(timeline)
+    timeline.resize(800, 120)
+    timeline.show()
+    qtbot.waitExposed(timeline)
+    assert timeline.lane_top(gap.marker) > timeline.viewport().height()
+    view.select((gap.marker,))
+    image = timeline.grab().toImage()
+    x = round(timeline.axis.x_of((gap.start + gap.stop) / 2)) + timeline.viewport().x()
+    y = timeline.lane_top(gap.marker) + 1 + timeline.viewport().y()
+    assert image.pixelColor(x, y) == QColor(DARK.state_colour(SampleState.MISSING))
+    name = image.pixelColor(timeline.viewport().x() + 1, y)
+    assert name == QColor(DARK.accent)
+
+
 def test_the_current_gap_is_outlined_where_it_is_in_view(
     document: Document, view: ViewState, qtbot: QtBot
 ) -> None:

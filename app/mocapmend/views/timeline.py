@@ -91,6 +91,14 @@ class Timeline(QAbstractScrollArea):
         """Return the vertical place of a marker's lane in the viewport."""
         return LANES_TOP + marker * self._lane_height() - self.verticalScrollBar().value()
 
+    def _lanes_in_view(self) -> range:
+        """Return the markers whose lanes can be seen, in part at least."""
+        height, above = self._lane_height(), self.verticalScrollBar().value()
+        below = above + self.viewport().height() - LANES_TOP
+        # One more below: its name stands out above its lane.
+        last = min(self._document.original.markers, below // height + 2)
+        return range(max(0, (above - NAME_MARGIN) // height), max(0, last))
+
     def gap_at(self, position: QPointF) -> Gap | None:
         """Return the gap under a place of the viewport; two pixels of tolerance."""
         marker = self.marker_at(position.y())
@@ -232,15 +240,15 @@ class Timeline(QAbstractScrollArea):
         return picture
 
     def _paint_lanes(self, painter: QPainter) -> None:
-        markers, width = self._document.original.markers, self.axis.width
+        markers, width = self._lanes_in_view(), self.axis.width
         edges = column_edges(*self._view.visible, width)
-        indices = np.zeros((max(1, markers), width), np.uint8)
-        for marker in range(markers):
+        indices = np.zeros((max(1, len(markers)), width), np.uint8)
+        for row, marker in enumerate(markers):
             # Missing last: a gap must show even where it shares its column with others.
             for state in (SampleState.FILLED, SampleState.BAD, SampleState.MISSING):
                 runs = self._document.runs(marker, state)
                 if len(runs):
-                    indices[marker, columns_with(runs, edges)] = state
+                    indices[row, columns_with(runs, edges)] = state
         height = self._lane_height()
         tall = np.repeat(indices, height, axis=0)
         if height > 2:
@@ -249,7 +257,7 @@ class Timeline(QAbstractScrollArea):
         image = QImage(tall.data, width, len(tall), tall.shape[1], QImage.Format.Format_Indexed8)
         colours = [self._theme.state_colour(state) for state in SampleState]
         image.setColorTable([QColor(c).rgba() for c in (*colours, self._theme.window)])
-        painter.drawImage(QPointF(GUTTER, self.lane_top(0)), image)
+        painter.drawImage(QPointF(GUTTER, self.lane_top(markers.start)), image)
 
     def _paint_names(self, painter: QPainter) -> None:
         """Write the names of the selected lanes, and of as many others as keep apart."""
@@ -257,10 +265,12 @@ class Timeline(QAbstractScrollArea):
         metrics = painter.fontMetrics()
         every = max(1, int(np.ceil((metrics.height() - 3) / height)))
         labels = self._document.names
+        seen = self._lanes_in_view()
         chosen = set(self._view.selection)
         # The current marker first, then the other selected ones, then as many as have room.
+        selected = (marker for marker in reversed(self._view.selection) if marker in seen)
         shown: list[int] = []
-        for marker in (*reversed(self._view.selection), *range(0, len(labels), every)):
+        for marker in (*selected, *range(seen.start - seen.start % every, seen.stop, every)):
             if all(abs(marker - other) >= every for other in shown):
                 shown.append(marker)
         for marker in shown:
