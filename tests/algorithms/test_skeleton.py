@@ -159,7 +159,6 @@ def test_nothing_to_join(shape):
     assert skeleton.source == "none"
 
 
-@pytest.mark.shared
 @pytest.mark.parametrize(("markers", "source"), [(12, "distances"), (MOST_MARKERS + 1, "none")])
 def test_a_crowd_of_markers_is_not_measured_pair_by_pair(markers, source):
     points = rigid_body(markers, 20, np.random.default_rng(5))
@@ -168,6 +167,7 @@ def test_a_crowd_of_markers_is_not_measured_pair_by_pair(markers, source):
     assert bool(found.bones) == (source == "distances")
 
 
+@pytest.mark.shared
 def test_a_real_walk_has_the_sticks_of_a_body(shared):
     data = np.load(shared / "cmu_markers" / "132_43.npz")
     names = data["names"].tolist()
