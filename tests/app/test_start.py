@@ -21,6 +21,30 @@ def test_the_window_starts_without_what_it_needs_later() -> None:
     assert done.stdout.strip() == "[]"
 
 
+def test_once_painted_the_window_loads_the_rest() -> None:
+    code = f"""
+import sys
+from PySide6.QtCore import QSettings
+from mocapmend.settings import Settings
+from mocapmend.views.application import make_application
+from mocapmend.views.first_paint import FirstPaint
+from mocapmend.views.main_window import MainWindow
+app = make_application()
+window = MainWindow(Settings(QSettings("", QSettings.Format.IniFormat)))
+painted = FirstPaint(window).painted
+painted.connect(lambda: print([name for name in {HEAVY!r} if name in sys.modules]))
+painted.connect(window.get_ready)
+painted.connect(lambda: print("mocapmend.views.workspace" in sys.modules))
+painted.connect(window.close)
+window.show()
+app.exec()
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout.split() == ["[]", "True"]
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there always is a display")
 def test_without_a_display_the_window_says_so(
     monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]

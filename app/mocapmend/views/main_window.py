@@ -110,9 +110,8 @@ class MainWindow(QMainWindow):
 
     def get_ready(self) -> None:
         """Load and start what the first recording needs, once the user sees the window."""
-        import mocapmend.views.workspace  # noqa: F401
+        from mocapmend.views import file_actions, workspace  # noqa: F401
 
-        assert self.files is not None
         self.jobs.warm_up()
 
     # --- making ------------------------------------------------------------------------------
