@@ -12,7 +12,7 @@ system would show; it does not meet the edges.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 from typing import Any, Literal
 
 import numpy as np
@@ -93,19 +93,8 @@ def kalman(
     """
     causal = params.direction == "causal"
     steps = _steps(params.velocity_interval_ms, recording.rate) if causal else (1,)
-
-    @cache
-    def candidates(marker: int) -> list[Candidate]:
-        points = recording.points[:, marker].copy()
-        for gap in gaps:
-            if gap.marker == marker:
-                points[gap.start : gap.stop] = np.nan
-        # Only the ratio of the two noises matters; this one turns a ratio into millimetres.
-        unit = np.sqrt(process_noise(points, recording.rate) / recording.rate**3) * recording.mm
-        return _candidates(unit, recording.rate, params, steps)
-
     method = WindowMethod(
-        candidates,
+        lambda points: _candidates(points, recording, params, steps),
         "the filter",
         reach=max(REACH, 4 * max(steps)),
         least_before=2 if causal else 1,
@@ -118,8 +107,13 @@ def _steps(interval_ms: float | None, rate: float) -> Steps:
     return tuple(sorted({max(1, round(ms / 1000 * rate)) for ms in intervals}))
 
 
-def _candidates(unit: float, rate: float, params: KalmanParams, steps: Steps) -> list[Candidate]:
+def _candidates(
+    points: FloatArray, recording: Recording, params: KalmanParams, steps: Steps
+) -> list[Candidate]:
     causal = params.direction == "causal"
+    rate = recording.rate
+    # Only the ratio of the two noises matters; the second turns a ratio into millimetres.
+    unit = np.sqrt(process_noise(points, rate) / rate**3) * recording.mm
     ratios: tuple[float, ...] = CAUSAL_RATIOS if causal else RATIOS
     if params.noise_mm is not None:
         ratio = (params.noise_mm / unit) ** 2 if unit > 0 else MOST_RATIO

@@ -76,7 +76,8 @@ class WindowMethod:
     Attributes
     ----------
     candidates : callable
-        The settings to choose from, by marker; the first is taken where nothing can be tested.
+        The settings to choose from, given a marker's observed trajectory, shape (frames, 3), NaN
+        where missing; the first is taken where nothing can be tested.
     name : str
         What to call the fill in a reason, as "a cubic curve".
     reach : int
@@ -85,7 +86,7 @@ class WindowMethod:
         How many samples it needs in all and before the gap.
     """
 
-    candidates: Callable[[int], Sequence[Candidate]]
+    candidates: Callable[[FloatArray], Sequence[Candidate]]
     name: str
     reach: int = LEAST_REACH
     least: int = 2
@@ -97,7 +98,7 @@ class WindowMethod:
     ) -> "WindowMethod":
         """Make a method that has nothing to choose."""
         candidates = (Candidate(solve),)
-        return cls(lambda marker: candidates, name, reach=reach, least=least)
+        return cls(lambda points: candidates, name, reach=reach, least=least)
 
 
 def fill_windows(
@@ -158,6 +159,7 @@ class _Filler:
             self._observed[gap.start : gap.stop, gap.marker] = False
         self._finder = TrialFinder(self._observed)
         self._frames: dict[int, IntArray] = {}
+        self._candidates: dict[int, Sequence[Candidate]] = {}
         self._choices: dict[tuple[int, int, bytes], _Choice] = {}
 
     def knots(self, gap: Gap) -> IntArray:
@@ -206,7 +208,7 @@ class _Filler:
         return Patch(gap, values, sigma, r90), dict(choice.notes)
 
     def _choose(self, gap: Gap, knots: IntArray) -> _Choice:
-        candidates = self._method.candidates(gap.marker)
+        candidates = self._candidates_for(gap.marker)
         trials = self._finder.find(gap.marker, knots, gap.length)
         if trials is None:
             notes = {"self_tests": 0, "tested_on": "nothing", **candidates[0].notes}
@@ -219,6 +221,13 @@ class _Filler:
             **best.notes,
         }
         return _Choice(best, calibration, notes)
+
+    def _candidates_for(self, marker: int) -> Sequence[Candidate]:
+        if marker not in self._candidates:
+            observed = self._observed[:, marker, None]
+            points = np.where(observed, self._recording.points[:, marker], np.nan)
+            self._candidates[marker] = self._method.candidates(points)
+        return self._candidates[marker]
 
     def _test(
         self, candidate: Candidate, trials: Trials, knots: IntArray, length: int
