@@ -45,7 +45,7 @@ class Skeleton:
 
     name: str
     bones: tuple[Bone, ...]
-    source: Literal["template", "distances", "none"]
+    source: Literal["file", "template", "distances", "none"]
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from mocapmend.files import C3DFile, SampleRun
+from mocapmend.files import SampleRun, Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow
 from mocapmend.shared_recording import SharedRecording
@@ -81,7 +81,7 @@ class Document(QObject):
 
     samples_changed = Signal(tuple)
 
-    def __init__(self, source: C3DFile, skeleton: Skeleton, parent: QObject | None = None) -> None:
+    def __init__(self, source: Source, skeleton: Skeleton, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.source = source
         self.skeleton = skeleton

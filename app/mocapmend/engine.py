@@ -15,9 +15,10 @@ from mocapmend.files import (
     CheckReport,
     SampleRun,
     Saved,
+    Source,
     check_files,
     confirm_with_c3d,
-    read_c3d,
+    read_recording,
     save_patched,
 )
 from mocapmend_algorithms import Gap, Progress, Recording
@@ -28,23 +29,26 @@ from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_fro
 from mocapmend_resources import skeletons
 
 
-def load(path: Path, progress: Progress) -> tuple[C3DFile, Skeleton]:
-    """Read a file and find its skeleton.
+def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
+    """Read a file of any format and find its skeleton.
 
     Raises
     ------
     MocapmendError
         If it cannot be read.
     """
-    source = read_c3d(path)
+    source = read_recording(path)
     progress(0.5)
-    skeleton = find_skeleton(source.recording, lambda share: progress(0.5 + 0.5 * share))
+    skeleton = find_skeleton(source, lambda share: progress(0.5 + 0.5 * share))
     progress(1.0)
     return source, skeleton
 
 
-def find_skeleton(recording: Recording, progress: Progress) -> Skeleton:
-    """Find the bones: by the labels where they are known, else by constant distances."""
+def find_skeleton(source: Source, progress: Progress) -> Skeleton:
+    """Find the bones: the file's own, else by known labels, else by constant distances."""
+    if source.bones:
+        return Skeleton(source.kind, source.bones, "file")
+    recording = source.recording
     known = match_template(recording.labels, skeletons.load())
     if known is not None:
         return known
@@ -110,7 +114,7 @@ class Exported:
 
 
 def export(
-    source: C3DFile,
+    source: Source,
     runs: Sequence[SampleRun],
     out: Path,
     replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
@@ -123,7 +127,7 @@ def export(
 
     Parameters
     ----------
-    source : C3DFile
+    source : Source
         The file as it was read.
     runs : sequence of SampleRun
         The repaired samples.
@@ -139,6 +143,10 @@ def export(
     MocapmendError
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
+    if not isinstance(source, C3DFile):
+        raise MocapmendError(
+            f"Repairs of a {source.kind} file cannot be written yet.", str(source.path)
+        )
     proofs: list[tuple[str, CheckReport]] = []
 
     def prove(copy: Path) -> None:

@@ -1,11 +1,12 @@
 """Parameters that describe themselves, and the list of methods."""
 
 import dataclasses
+import json
 from typing import Literal, get_args, get_type_hints
 
 import pytest
 
-from mocapmend_algorithms.fill.params import option, parse
+from mocapmend_algorithms.fill.params import option, parse, restore
 from mocapmend_algorithms.fill.registry import METHODS, method, parse_params
 
 
@@ -54,6 +55,21 @@ def test_text_becomes_parameters():
         assert parse(Example, {"size": word}).size is None
     kalman = METHODS["kalman"]
     assert parse_params(kalman, {"noise_mm": "0.5"}) == kalman.params(noise_mm=0.5)
+
+
+@pytest.mark.parametrize(
+    "params", [Example(), Example(5, 2.5, True, "down"), Example(size=0.1 + 0.7)], ids=repr
+)
+def test_a_dictionary_becomes_the_same_parameters(params: Example):
+    assert restore(Example, json.loads(json.dumps(dataclasses.asdict(params)))) == params
+
+
+@pytest.mark.parametrize(
+    "values", [{"count": 2.5}, {"count": []}, {"size": "wide"}, {"other": 1}, {"count": 99}]
+)
+def test_a_wrong_dictionary_is_refused(values: dict[str, object]):
+    with pytest.raises(ValueError, match=r"must be|no parameter"):
+        restore(Example, values)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from c3d_synthetic import Synthetic, encode, walk
 
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
-from mocapmend.files import CheckReport, read_c3d
+from mocapmend.files import CheckReport, Source, Stamp, read_c3d
 from mocapmend_algorithms import Cancelled, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import METHODS
@@ -51,7 +51,8 @@ def test_load_finds_the_skeleton(samples: Path, name: str, source: str) -> None:
 @pytest.mark.parametrize("shape", [(0, 0, 3), (5, 0, 3), (0, 4, 3), (5, 4, 3)])
 def test_nothing_seen_has_no_skeleton(shape: tuple[int, int, int]) -> None:
     empty = Recording(np.full(shape, np.nan), tuple("ABCD"[: shape[1]]), 100.0)
-    assert engine.find_skeleton(empty, no_progress).source == "none"
+    source = Source(path=Path("empty"), kind="test", recording=empty, stamp=Stamp(0, 0))
+    assert engine.find_skeleton(source, no_progress).source == "none"
 
 
 @pytest.mark.parametrize("method", METHODS)

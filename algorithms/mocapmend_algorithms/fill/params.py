@@ -78,6 +78,29 @@ def parse(kind: type[Any], pairs: Mapping[str, str]) -> Any:
     return kind(**values)
 
 
+def restore(kind: type[Any], values: Mapping[str, Any]) -> Any:
+    """Make parameters from what `dataclasses.asdict` or a JSON file has of them.
+
+    Parameters
+    ----------
+    kind : type
+        The dataclass of a method's parameters.
+    values : mapping of str to object
+        Name and value; those that are missing have their defaults.
+
+    Returns
+    -------
+    object
+        An instance of `kind`.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, or a value is not of its type or outside its bounds.
+    """
+    return parse(kind, {name: "auto" if v is None else str(v) for name, v in values.items()})
+
+
 def _value(name: str, text: str, hint: Any) -> Any:
     if get_origin(hint) in (Union, types.UnionType):
         if text.lower() in AUTOMATIC:

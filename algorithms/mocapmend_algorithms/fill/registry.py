@@ -116,3 +116,8 @@ def parse_params(method: Method, pairs: Mapping[str, str]) -> Any:
         With one sentence that says which parameter is wrong and what it may be.
     """
     return params.parse(method.params, pairs)
+
+
+def restore_params(method: Method, values: Mapping[str, Any]) -> Any:
+    """Make a method's parameters from what a JSON file has of them; see `params.restore`."""
+    return params.restore(method.params, values)

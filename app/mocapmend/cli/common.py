@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from mocapmend.cli.console import Console
-from mocapmend.files import C3DFile
+from mocapmend.files import Source
 from mocapmend_algorithms import Gap, Recording
 
 
@@ -16,13 +16,13 @@ def add_file(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help="a C3D file")
 
 
-def show_warnings(source: C3DFile, console: Console) -> None:
+def show_warnings(source: Source, console: Console) -> None:
     """Say on stderr what is odd about a file."""
     for warning in source.warnings:
         console.warn(f"{source.path}: {warning}")
 
 
-def facts(source: C3DFile) -> dict[str, Any]:
+def facts(source: Source) -> dict[str, Any]:
     """Return what every JSON document says about its file."""
     return {
         "file": str(source.path),

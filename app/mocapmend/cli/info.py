@@ -6,7 +6,7 @@ from typing import Any
 from mocapmend import engine
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.files import C3DFile
+from mocapmend.files import C3DFile, Layout, Source
 from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.skeleton import Skeleton
 
@@ -38,9 +38,11 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     return 0
 
 
-def _content(source: C3DFile, skeleton: Skeleton) -> dict[str, Any]:
-    recording, layout = source.recording, source.layout
+def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
+    recording = source.recording
+    layout = source.layout if isinstance(source, C3DFile) else None
     return {
+        "format": source.kind,
         "frames": recording.frames,
         "first_frame": recording.first_frame,
         "last_frame": recording.first_frame + recording.frames - 1,
@@ -48,8 +50,8 @@ def _content(source: C3DFile, skeleton: Skeleton) -> dict[str, Any]:
         "duration_s": recording.frames / recording.rate,
         "unit": recording.unit,
         "up_axis": recording.up,
-        "processor": layout.processor.name.lower(),
-        "number_format": "float" if layout.is_float else "integer",
+        "processor": layout.processor.name.lower() if layout else None,
+        "number_format": _numbers(layout) if layout else None,
         "model_outputs": list(source.model_outputs),
         "events": [
             {
@@ -69,7 +71,11 @@ def _content(source: C3DFile, skeleton: Skeleton) -> dict[str, Any]:
     }
 
 
-def _markers(source: C3DFile) -> list[dict[str, Any]]:
+def _numbers(layout: Layout) -> str:
+    return "float" if layout.is_float else "integer"
+
+
+def _markers(source: Source) -> list[dict[str, Any]]:
     recording = source.recording
     rows = zip(
         recording.labels,
@@ -83,21 +89,24 @@ def _markers(source: C3DFile) -> list[dict[str, Any]]:
     ]
 
 
-def _summary(source: C3DFile, skeleton: Skeleton) -> list[str]:
-    recording, layout = source.recording, source.layout
+def _summary(source: Source, skeleton: Skeleton) -> list[str]:
+    recording = source.recording
     seconds = recording.frames / recording.rate
     last = recording.first_frame + recording.frames - 1
-    numbers = "floats" if layout.is_float else "integers"
-    found = {"template": skeleton.name, "distances": "from constant distances", "none": "none"}
+    stored = source.kind
+    if isinstance(source, C3DFile):
+        stored += f", {source.layout.processor.name}, {_numbers(source.layout)}s"
+    found = {"file": "the file's own", "distances": "from constant distances", "none": "none"}
+    origin = found.get(skeleton.source, skeleton.name)
     span = f"{recording.frames} ({recording.first_frame}-{last})"
     lines = [
         ("File", str(source.path)),
-        ("Format", f"C3D, {layout.processor.name}, {numbers}"),
+        ("Format", stored),
         ("Frames", f"{span}, {recording.rate:g} Hz, {seconds:.2f} s"),
         ("Markers", f"{recording.markers}, in {recording.unit}, {recording.up} up"),
         ("Model outputs", str(len(source.model_outputs))),
         ("Events", str(len(source.events))),
         ("Analog", f"{len(source.analog_labels)} channels, {source.analog_rate:g} Hz"),
-        ("Skeleton", f"{found[skeleton.source]}, {common.count(len(skeleton.bones), 'bone')}"),
+        ("Skeleton", f"{origin}, {common.count(len(skeleton.bones), 'bone')}"),
     ]
     return [f"{name + ':':<15}{text}" for name, text in lines]

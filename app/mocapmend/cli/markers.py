@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
-from mocapmend.files import C3DFile
+from mocapmend.files import Source
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 
@@ -13,12 +13,12 @@ NOT_CHOSEN = "the marker is not among those asked for"
 MOST_LISTED = 60
 
 
-def choose(source: C3DFile, words: Sequence[str] | None) -> frozenset[int]:
+def choose(source: Source, words: Sequence[str] | None) -> frozenset[int]:
     """Find markers by their labels.
 
     Parameters
     ----------
-    source : C3DFile
+    source : Source
         Where to look.
     words : sequence of str, optional
         Labels, or several joined by commas; all markers if None. A label that several markers

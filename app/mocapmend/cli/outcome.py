@@ -11,7 +11,7 @@ import numpy as np
 from mocapmend.cli import check, common
 from mocapmend.cli.console import Console
 from mocapmend.engine import Exported
-from mocapmend.files import C3DFile
+from mocapmend.files import Source
 from mocapmend.report import About, RepairRow
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
@@ -24,7 +24,7 @@ MOST_ROWS = 20
 class Outcome:
     """A finished repair."""
 
-    source: C3DFile
+    source: Source
     method: Method
     params: Any
     limits: Limits

@@ -15,7 +15,7 @@ from mocapmend.cli import common, markers, outcome, target
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
-from mocapmend.files import C3DFile, read_c3d
+from mocapmend.files import Source, read_recording
 from mocapmend_algorithms import find_gaps
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
@@ -80,7 +80,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     method: registry.Method = arguments.method
     params = _params(method, arguments.param)
     out = target.choose(arguments)
-    source = read_c3d(arguments.file)
+    source = read_recording(arguments.file)
     common.show_warnings(source, console)
     _check_source(source, accept_truncated=arguments.accept_truncated)
     limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
@@ -143,11 +143,11 @@ def _params(method: registry.Method, pairs: Sequence[str]) -> Any:
         raise UsageError(f"method {method.id}: {error}") from None
 
 
-def _check_source(source: C3DFile, *, accept_truncated: bool) -> None:
+def _check_source(source: Source, *, accept_truncated: bool) -> None:
     if source.truncated and not accept_truncated:
         raise MocapmendError(
-            f"The file is truncated: {source.layout.frames} of "
-            f"{source.layout.frames_promised} frames are there.",
+            f"The file is truncated: {source.recording.frames} of "
+            f"{source.frames_promised} frames are there.",
             str(source.path),
             "To repair what is there, add --accept-truncated.",
         )
@@ -160,7 +160,7 @@ def _check_source(source: C3DFile, *, accept_truncated: bool) -> None:
 
 
 def _fill(
-    source: C3DFile,
+    source: Source,
     labels: Sequence[str] | None,
     method: registry.Method,
     params: Any,
@@ -188,7 +188,7 @@ def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:
     engine.write_report(
         before,
         engine.repaired(before, done.result),
-        engine.find_skeleton(before, console.progress),
+        engine.find_skeleton(done.source, console.progress),
         done.repairs,
         done.result.unfilled,
         done.about,

@@ -2,12 +2,14 @@
 
 from mocapmend.files.atomic import same_file
 from mocapmend.files.c3d_encode import SampleRun
-from mocapmend.files.c3d_labels import Event
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_patch import Saved, save_patched
-from mocapmend.files.c3d_reader import C3DFile, Stamp, read_c3d
+from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
+from mocapmend.files.formats import read_recording
+from mocapmend.files.opening import Stamp
 from mocapmend.files.second_reader import confirm_with_c3d
+from mocapmend.files.source import Event, Source
 
 __all__ = [
     "C3DFile",
@@ -17,10 +19,12 @@ __all__ = [
     "Layout",
     "SampleRun",
     "Saved",
+    "Source",
     "Stamp",
     "check_files",
     "confirm_with_c3d",
     "read_c3d",
+    "read_recording",
     "same_file",
     "save_patched",
 ]

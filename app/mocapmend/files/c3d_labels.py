@@ -1,39 +1,17 @@
 """Which of the stored points are markers, what they are called, and the events of a file."""
 
 import struct
-from dataclasses import dataclass
 
 import numpy as np
 
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_numbers import decode_floats
 from mocapmend.files.c3d_parameters import decode_text
+from mocapmend.files.source import Event
 
 MODEL_GROUPS = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS")
 HEADER_EVENTS_KEY = 12345
 HEADER_EVENTS = 18
-
-
-@dataclass(frozen=True)
-class Event:
-    """A moment that the file names.
-
-    Attributes
-    ----------
-    label : str
-        What happened, as "Foot Strike".
-    context : str
-        To which side or object, as "Left"; may be empty.
-    frame : float
-        Frame from 0 = the first stored frame; may lie between frames or outside the recording.
-    time : float
-        Seconds as the file counts them, from its frame 1.
-    """
-
-    label: str
-    context: str
-    frame: float
-    time: float
 
 
 def point_labels(layout: Layout, warnings: list[str]) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """Where everything lies in a C3D file."""
 
 from dataclasses import dataclass
-from io import FileIO
+from typing import BinaryIO
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files.c3d_header import (
@@ -16,10 +16,10 @@ from mocapmend.files.c3d_header import (
 )
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.c3d_parameters import Parameters, parse_parameters
+from mocapmend.files.opening import ANOTHER_FILE, cannot_read
 
 MAGIC = 0x50
 LONGEST_SECTION = 1 << 18
-ANOTHER_FILE = "Choose another file, or export it again from the program that made it."
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,17 +108,12 @@ class Layout:
         return self.rate * self.analog_samples
 
 
-def cannot_read(where: str, error: OSError) -> MocapmendError:
-    """Return the error for a file that the system fails to read."""
-    return MocapmendError(f"The file cannot be read: {error.strerror}.", where, "Try a copy of it.")
-
-
-def read_layout(stream: FileIO, size: int, where: str) -> Layout:
+def read_layout(stream: BinaryIO, size: int, where: str) -> Layout:
     """Read header and parameter section.
 
     Parameters
     ----------
-    stream : FileIO
+    stream : binary file
         The file.
     size : int
         Its size in bytes.
@@ -136,7 +131,7 @@ def read_layout(stream: FileIO, size: int, where: str) -> Layout:
         raise cannot_read(where, error) from error
 
 
-def _read_layout(stream: FileIO, size: int, where: str) -> Layout:
+def _read_layout(stream: BinaryIO, size: int, where: str) -> Layout:
     warnings: list[str] = []
     stream.seek(0)
     block = stream.read(BLOCK)
@@ -172,7 +167,9 @@ def _read_layout(stream: FileIO, size: int, where: str) -> Layout:
     )
 
 
-def _find_parameters(stream: FileIO, block: bytes, size: int, where: str) -> tuple[int, Processor]:
+def _find_parameters(
+    stream: BinaryIO, block: bytes, size: int, where: str
+) -> tuple[int, Processor]:
     if size == 0:
         raise MocapmendError("The file is empty.", where, ANOTHER_FILE)
     if len(block) < 2 or block[1] != MAGIC:
@@ -195,7 +192,7 @@ def _find_parameters(stream: FileIO, block: bytes, size: int, where: str) -> tup
 
 
 def _read_parameters(
-    stream: FileIO, start: int, processor: Processor, header: Header
+    stream: BinaryIO, start: int, processor: Processor, header: Header
 ) -> Parameters:
     stream.seek(start)
     lead = stream.read(4)

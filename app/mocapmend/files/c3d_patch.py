@@ -12,13 +12,14 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files.atomic import same_file, write_atomically
 from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs
 from mocapmend.files.c3d_layout import Layout
-from mocapmend.files.c3d_reader import C3DFile, changed_on_disk, open_c3d
+from mocapmend.files.c3d_reader import C3DFile
 from mocapmend.files.c3d_samples import (
     coordinates,
     point_slots,
     point_words,
     read_pieces,
 )
+from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend_algorithms.progress import Progress, no_progress
 
 
@@ -122,7 +123,7 @@ def _write(
 ) -> None:
     """Write the patched copy."""
     layout = source.layout
-    with open_c3d(source.path) as (stream, stamp):
+    with open_file(source.path) as (stream, stamp):
         if stamp != source.stamp:
             raise changed_on_disk(source.path)
         for piece in read_pieces(stream, layout, str(source.path)):
@@ -144,8 +145,8 @@ def _verify(source: C3DFile, slots: Slots, path: Path, report: Callable[[float],
     """
     layout = source.layout
     with (
-        open_c3d(source.path) as (original, stamp),
-        open_c3d(path) as (saved, saved_stamp),
+        open_file(source.path) as (original, stamp),
+        open_file(path) as (saved, saved_stamp),
     ):
         if stamp != source.stamp:
             raise changed_on_disk(source.path)

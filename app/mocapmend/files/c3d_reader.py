@@ -1,9 +1,6 @@
 """Reading C3D files: every processor, integers and floats, every way to store 'missing'."""
 
-import os
-import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from io import FileIO
 from pathlib import Path
@@ -14,13 +11,12 @@ from numpy.typing import NDArray
 from mocapmend.errors import MocapmendError
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
-    Event,
     analog_labels,
     model_points,
     point_labels,
     read_events,
 )
-from mocapmend.files.c3d_layout import ANOTHER_FILE, Layout, cannot_read, read_layout
+from mocapmend.files.c3d_layout import Layout, read_layout
 from mocapmend.files.c3d_samples import (
     coordinates,
     marked_missing,
@@ -31,61 +27,28 @@ from mocapmend.files.c3d_samples import (
     unmarked_missing,
 )
 from mocapmend.files.c3d_space import length_unit, up_axis
+from mocapmend.files.opening import changed_on_disk, open_file
+from mocapmend.files.source import Source
 from mocapmend_algorithms.recording import Recording
 
 
-@dataclass(frozen=True)
-class Stamp:
-    """Size in bytes and time of change of a file when it was read."""
-
-    size: int
-    mtime_ns: int
-
-
-@dataclass(frozen=True, eq=False)
-class C3DFile:
-    """A C3D file as it was read.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class C3DFile(Source):
+    """A C3D file as it was read; model outputs are kept apart from the markers.
 
     Attributes
     ----------
-    path : Path
-        Where it was.
     layout : Layout
         Where its samples are and how they are stored.
-    recording : Recording
-        The markers; model outputs are kept apart.
     marker_points : tuple of int
         The stored point of each marker of the recording.
     residuals : ndarray, shape (frames, markers), float32
         Residuals in the recording's unit, NaN where the marker is missing.
-    model_outputs : tuple of str
-        Labels of the stored points that are not markers.
-    events : tuple of Event
-        Ordered by time.
-    analog_labels : tuple of str
-        One per analog channel.
-    analog_rate : float
-        Analog samples per second (Hz), 0 without analog.
-    warnings : tuple of str
-        What was odd and what was assumed, as sentences.
-    truncated : bool
-        Whether the file holds fewer frames than it says.
-    stamp : Stamp
-        To notice that the file was changed since.
     """
 
-    path: Path
     layout: Layout
-    recording: Recording
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
-    model_outputs: tuple[str, ...]
-    events: tuple[Event, ...]
-    analog_labels: tuple[str, ...]
-    analog_rate: float
-    warnings: tuple[str, ...]
-    truncated: bool
-    stamp: Stamp
 
     @np.errstate(all="ignore")
     def read_analog(self) -> NDArray[np.float64]:
@@ -102,7 +65,7 @@ class C3DFile:
         offset = parameters.numbers("ANALOG:OFFSET", unsigned=unsigned)[:channels]
         scale = parameters.numbers("ANALOG:SCALE")[:channels]
         general = parameters.number("ANALOG:GEN_SCALE")
-        with open_c3d(self.path) as (stream, stamp):
+        with open_file(self.path) as (stream, stamp):
             if stamp != self.stamp:
                 raise changed_on_disk(self.path)
             values = read_analog_samples(stream, self.layout, str(self.path), unsigned=unsigned)
@@ -110,49 +73,6 @@ class C3DFile:
         values[:, : len(scale)] *= scale
         values *= 1.0 if general is None else general
         return values
-
-
-def changed_on_disk(path: Path) -> MocapmendError:
-    """Return the error for a file that is not as it was when it was read."""
-    return MocapmendError(
-        "The original was changed since it was opened.",
-        str(path),
-        "Put the former file back under this name to save the repairs, or open it again.",
-    )
-
-
-@contextmanager
-def open_c3d(path: Path) -> Iterator[tuple[FileIO, Stamp]]:
-    """Open a file for reading.
-
-    Raises
-    ------
-    MocapmendError
-        If it is missing, a folder, or may not or cannot be read.
-    """
-    try:
-        mode = path.stat().st_mode
-        # Opening a pipe or a device could wait for ever.
-        if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-            raise MocapmendError("This is not an ordinary file.", str(path), ANOTHER_FILE)
-        stream = path.open("rb", buffering=0)
-    except (FileNotFoundError, NotADirectoryError, ValueError):
-        raise MocapmendError(
-            "There is no such file.", str(path), "Check the name and the folder."
-        ) from None
-    except IsADirectoryError:
-        raise MocapmendError(
-            "This is a folder, not a file.", str(path), "Choose a file in it."
-        ) from None
-    except PermissionError:
-        raise MocapmendError(
-            "You may not read this file.", str(path), "Change its permissions or copy it."
-        ) from None
-    except OSError as error:
-        raise cannot_read(str(path), error) from error
-    with stream:
-        status = os.fstat(stream.fileno())
-        yield stream, Stamp(status.st_size, status.st_mtime_ns)
 
 
 @np.errstate(all="ignore")
@@ -165,7 +85,7 @@ def read_c3d(path: Path) -> C3DFile:
         If it cannot be read; nothing else.
     """
     path = Path(path)
-    with open_c3d(path) as (stream, stamp):
+    with open_file(path) as (stream, stamp):
         layout = read_layout(stream, stamp.size, str(path))
         warnings = [*layout.warnings, *_about_size(layout)]
         labels = point_labels(layout, warnings)
@@ -181,6 +101,7 @@ def read_c3d(path: Path) -> C3DFile:
         warnings.append("The file holds no marker data: there is nothing to repair.")
     return C3DFile(
         path=path,
+        kind="C3D",
         layout=layout,
         recording=Recording(
             points,
@@ -197,7 +118,7 @@ def read_c3d(path: Path) -> C3DFile:
         analog_labels=analog_labels(layout),
         analog_rate=layout.analog_rate,
         warnings=tuple(warnings),
-        truncated=layout.truncated,
+        frames_promised=layout.frames_promised,
         stamp=stamp,
     )
 

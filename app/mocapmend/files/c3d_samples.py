@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files.c3d_layout import Layout, cannot_read
+from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_numbers import decode_floats, decode_integers
+from mocapmend.files.opening import cannot_read
 
 BLOCK_BYTES = 1 << 20
 """About how much is in memory at a time: small enough for the cache of a processor."""

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import analog_labels, model_points, point_labels
 from mocapmend.files.c3d_layout import Layout, read_layout
-from mocapmend.files.c3d_reader import open_c3d
 from mocapmend.files.c3d_samples import (
     Piece,
     Words,
@@ -22,6 +21,7 @@ from mocapmend.files.c3d_samples import (
     read_pieces,
     unmarked_missing,
 )
+from mocapmend.files.opening import open_file
 from mocapmend_algorithms.gaps import runs
 
 
@@ -160,8 +160,8 @@ def check_files(original: Path, repaired: Path) -> CheckReport:
         If one of them cannot be read or the original is not a C3D file.
     """
     with ExitStack() as stack:
-        first, first_stamp = stack.enter_context(open_c3d(Path(original)))
-        second, second_stamp = stack.enter_context(open_c3d(Path(repaired)))
+        first, first_stamp = stack.enter_context(open_file(Path(original)))
+        second, second_stamp = stack.enter_context(open_file(Path(repaired)))
         layout = read_layout(first, first_stamp.size, str(original))
         common = _limited(layout, min(first_stamp.size, second_stamp.size))
         found = _Findings(common)

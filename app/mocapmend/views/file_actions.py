@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from mocapmend import engine
 from mocapmend.document import Document
-from mocapmend.files import C3DFile, same_file
+from mocapmend.files import Source, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend.views.samples import is_sample
@@ -184,10 +184,10 @@ class FileActions(QObject):
     def _end_loading(self) -> None:
         self._loading = False
 
-    def _adopt(self, source: C3DFile, skeleton: Skeleton) -> None:
+    def _adopt(self, source: Source, skeleton: Skeleton) -> None:
         self.after_saving(lambda: self._show(source, skeleton))
 
-    def _show(self, source: C3DFile, skeleton: Skeleton) -> None:
+    def _show(self, source: Source, skeleton: Skeleton) -> None:
         self._window.show_source(source, skeleton)
         path = source.path.resolve()
         self._window.settings.remember_file(str(path))
@@ -196,8 +196,7 @@ class FileActions(QObject):
         opened = self.tr("Opened {0}")
         if source.truncated:
             opened = self.tr("Opened {0}, which is truncated: {1} of {2} frames are there")
-        layout = source.layout
-        self._window.say(opened.format(path.name, layout.frames, layout.frames_promised))
+        self._window.say(opened.format(path.name, source.recording.frames, source.frames_promised))
 
     def _exported(
         self,

@@ -46,7 +46,7 @@ from mocapmend.views.transport import Transport
 from mocapmend.views.welcome import Welcome
 
 if TYPE_CHECKING:
-    from mocapmend.files import C3DFile
+    from mocapmend.files import Source
     from mocapmend.views.file_actions import FileActions
     from mocapmend.views.workspace import Workspace
     from mocapmend_algorithms.skeleton import Skeleton
@@ -187,7 +187,7 @@ class MainWindow(QMainWindow):
         """Open a recording; the present one stays until the new one is fully read."""
         self.files.open(path)
 
-    def show_source(self, source: "C3DFile", skeleton: "Skeleton") -> None:
+    def show_source(self, source: "Source", skeleton: "Skeleton") -> None:
         """Show a recording that has been read in place of the present one."""
         from mocapmend.document import Document
         from mocapmend.views.workspace import Workspace

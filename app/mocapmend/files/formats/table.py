@@ -1,0 +1,44 @@
+"""The formats: the single source for the file dialog, reading and the documentation."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from mocapmend.files.c3d_reader import read_c3d
+from mocapmend.files.source import Source
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format that the program reads.
+
+    Attributes
+    ----------
+    label : str
+        For the user.
+    suffixes : tuple of str
+        How the names of its files end, in lower case.
+    read : callable
+        Reads a file; raises `MocapmendError` and nothing else.
+    """
+
+    label: str
+    suffixes: tuple[str, ...]
+    read: Callable[[Path], Source]
+
+
+FORMATS: tuple[Format, ...] = (Format("C3D", (".c3d",), read_c3d),)
+
+
+def read_recording(path: Path) -> Source:
+    """Read a recording of any format, by the ending of its name; others are taken for C3D.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be read; nothing else.
+    """
+    path = Path(path)
+    suffix = path.suffix.lower()
+    found = next((item for item in FORMATS if suffix in item.suffixes), FORMATS[0])
+    return found.read(path)

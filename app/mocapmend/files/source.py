@@ -1,0 +1,77 @@
+"""A recording as it was read from a file of any format."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from mocapmend.files.opening import Stamp
+from mocapmend_algorithms.recording import Recording
+
+
+@dataclass(frozen=True)
+class Event:
+    """A moment that the file names.
+
+    Attributes
+    ----------
+    label : str
+        What happened, as "Foot Strike".
+    context : str
+        To which side or object, as "Left"; may be empty.
+    frame : float
+        Frame from 0 = the first stored frame; may lie between frames or outside the recording.
+    time : float
+        Seconds as the file counts them, from its frame 1.
+    """
+
+    label: str
+    context: str
+    frame: float
+    time: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Source:
+    """A recording as it was read from a file.
+
+    Attributes
+    ----------
+    path : Path
+        Where it was.
+    kind : str
+        The file's format, for the user, as "C3D" or "BVH".
+    recording : Recording
+        The markers or joints, as the file has them.
+    events : tuple of Event
+        Ordered by time.
+    bones : tuple of (int, int)
+        The file's own sticks, pairs of markers; empty where the format has none.
+    model_outputs : tuple of str
+        Labels of the stored points that are not markers.
+    analog_labels : tuple of str
+        One per analog channel.
+    analog_rate : float
+        Analog samples per second (Hz), 0 without analog.
+    warnings : tuple of str
+        What was odd and what was assumed, as sentences.
+    frames_promised : int
+        Frames that the file says it holds; 0 where it says nothing.
+    stamp : Stamp
+        To notice that the file was changed since.
+    """
+
+    path: Path
+    kind: str
+    recording: Recording
+    stamp: Stamp
+    events: tuple[Event, ...] = ()
+    bones: tuple[tuple[int, int], ...] = ()
+    model_outputs: tuple[str, ...] = ()
+    analog_labels: tuple[str, ...] = ()
+    analog_rate: float = 0.0
+    warnings: tuple[str, ...] = ()
+    frames_promised: int = 0
+
+    @property
+    def truncated(self) -> bool:
+        """Whether the file holds fewer frames than it says."""
+        return self.recording.frames < self.frames_promised
