@@ -34,6 +34,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
             ],
         )
     console.say(found.sentence)
+    for sentence in found.allowed:
+        console.say(sentence)
     if not found.passed:
         console.warn(f"{arguments.repaired}: the check failed:")
         for difference in found.other_differences:
@@ -48,5 +50,6 @@ def as_json(found: CheckReport) -> dict[str, object]:
         "identical": found.identical,
         "changed_samples": found.changed_samples,
         "changed": [asdict(run) for run in found.changed],
+        "allowed": list(found.allowed),
         "other_differences": list(found.other_differences),
     }

@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 
 from mocapmend.cli.console import Console
+from mocapmend.engine import Exported
 from mocapmend.files import Source
+from mocapmend.files.sidecar import sidecar_path
 from mocapmend_algorithms import Gap, Recording
 
 
@@ -28,6 +30,21 @@ def facts(source: Source) -> dict[str, Any]:
         "file": str(source.path),
         "truncated": source.truncated,
         "warnings": list(source.warnings),
+    }
+
+
+def written(exported: Exported) -> dict[str, Any]:
+    """Return what every JSON document says about a file that was written."""
+    saved = exported.saved
+    beside = sidecar_path(saved.path) if saved.record == "sidecar" else None
+    return {
+        "repair_record": {
+            "place": saved.record or None,
+            "file": None if beside is None else str(beside),
+        },
+        "converted_to_floats": saved.converted,
+        "notes": list(saved.notes),
+        "second_reader": exported.second_reader,
     }
 
 

@@ -63,6 +63,7 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
             for event in source.events
         ],
         "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
+        "repairs": [record.as_json() for record in source.repairs],
         "skeleton": {
             "name": skeleton.name,
             "source": skeleton.source,
@@ -73,6 +74,13 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
 
 def _numbers(layout: Layout) -> str:
     return "float" if layout.is_float else "integer"
+
+
+def _repairs(source: Source) -> str:
+    if source.provenance is None:
+        return "none that a repair record lists"
+    count = common.count(len(source.repaired), "gap")
+    return f"{count} filled by {source.provenance.program}"
 
 
 def _markers(source: Source) -> list[dict[str, Any]]:
@@ -107,6 +115,7 @@ def _summary(source: Source, skeleton: Skeleton) -> list[str]:
         ("Model outputs", str(len(source.model_outputs))),
         ("Events", str(len(source.events))),
         ("Analog", f"{len(source.analog_labels)} channels, {source.analog_rate:g} Hz"),
+        ("Repairs", _repairs(source)),
         ("Skeleton", f"{origin}, {common.count(len(skeleton.bones), 'bone')}"),
     ]
     return [f"{name + ':':<15}{text}" for name, text in lines]

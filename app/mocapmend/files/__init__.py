@@ -8,6 +8,7 @@ from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
 from mocapmend.files.formats import read_recording
 from mocapmend.files.opening import Stamp
+from mocapmend.files.provenance import Provenance, RepairRecord
 from mocapmend.files.second_reader import confirm_with_c3d
 from mocapmend.files.source import Event, Source
 
@@ -17,6 +18,8 @@ __all__ = [
     "CheckReport",
     "Event",
     "Layout",
+    "Provenance",
+    "RepairRecord",
     "SampleRun",
     "Saved",
     "Source",

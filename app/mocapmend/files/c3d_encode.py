@@ -68,8 +68,26 @@ class Slots:
         return slice(int(start), int(stop))
 
 
-def encode_runs(source: C3DFile, runs: Sequence[SampleRun]) -> Slots:
-    """Encode runs for the file that they repair; where runs overlap, the last one counts.
+def fits(source: C3DFile, runs: Sequence[SampleRun]) -> bool:
+    """Say whether the integers of a file, if it has them, can hold all values."""
+    layout = source.layout
+    if layout.is_float:
+        return True
+    limit = 32767.5 * layout.scale
+    return all(np.nanmax(np.abs(run.values), initial=0.0) < limit for run in runs)
+
+
+def encode_runs(source: C3DFile, runs: Sequence[SampleRun], layout: Layout | None = None) -> Slots:
+    """Encode runs for a copy of the file that they repair; where they overlap, the last one counts.
+
+    Parameters
+    ----------
+    source : C3DFile
+        The file.
+    runs : sequence of SampleRun
+        What to write.
+    layout : Layout, optional
+        Of the copy, where it is not that of the file.
 
     A filled sample gets the fourth word 0: computed, seen by no camera. A missing one gets
     coordinates 0 and the fourth word -1, which every reader understands.
@@ -81,7 +99,7 @@ def encode_runs(source: C3DFile, runs: Sequence[SampleRun]) -> Slots:
     ValueError
         If a run lies outside the recording or its values are not samples.
     """
-    layout = source.layout
+    layout = layout or source.layout
     frames, markers, values = _flatten(source, runs)
     points = np.array(source.marker_points, np.int64)[markers]
     missing = np.isnan(values[:, 0])

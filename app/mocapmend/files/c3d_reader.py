@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
+from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
     analog_labels,
@@ -28,6 +29,8 @@ from mocapmend.files.c3d_samples import (
 )
 from mocapmend.files.c3d_space import length_unit, up_axis
 from mocapmend.files.opening import changed_on_disk, open_file
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
 from mocapmend_algorithms.recording import Recording
 
@@ -50,6 +53,16 @@ class C3DFile(Source):
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
 
+    @property
+    def stored_points(self) -> tuple[int, ...]:
+        """The stored point, from 0, that each marker is."""
+        return self.marker_points
+
+    @property
+    def analog_unsigned(self) -> bool:
+        """Whether integers of analog data have no sign."""
+        return analog_unsigned(self.layout)
+
     @np.errstate(all="ignore")
     def read_analog(self) -> NDArray[np.float64]:
         """Read the analog data from the file, shape (samples, channels), in their units.
@@ -61,7 +74,7 @@ class C3DFile(Source):
         """
         parameters = self.layout.parameters
         channels = self.layout.channels
-        unsigned = parameters.text("ANALOG:FORMAT").upper() == "UNSIGNED"
+        unsigned = self.analog_unsigned
         offset = parameters.numbers("ANALOG:OFFSET", unsigned=unsigned)[:channels]
         scale = parameters.numbers("ANALOG:SCALE")[:channels]
         general = parameters.number("ANALOG:GEN_SCALE")
@@ -99,7 +112,8 @@ def read_c3d(path: Path) -> C3DFile:
             ) from None
     if not (markers and layout.frames):
         warnings.append("The file holds no marker data: there is nothing to repair.")
-    return C3DFile(
+    stated = _repair_record(layout, warnings)
+    source = C3DFile(
         path=path,
         kind="C3D",
         layout=layout,
@@ -121,6 +135,20 @@ def read_c3d(path: Path) -> C3DFile:
         frames_promised=layout.frames_promised,
         stamp=stamp,
     )
+    return with_repairs(source, stated)
+
+
+def analog_unsigned(layout: Layout) -> bool:
+    """Say whether integers of analog data have no sign."""
+    return layout.parameters.text("ANALOG:FORMAT").upper() == "UNSIGNED"
+
+
+def _repair_record(layout: Layout, warnings: list[str]) -> Provenance | None:
+    try:
+        return decode_group(layout.parameters)
+    except ValueError as error:
+        warnings.append(f"The file's repair record cannot be used: {error}.")
+        return None
 
 
 def _about_size(layout: Layout) -> Iterator[str]:
@@ -130,7 +158,8 @@ def _about_size(layout: Layout) -> Iterator[str]:
             f"but only {layout.frames} are there."
         )
     left = layout.size - layout.data_stop
-    if left > BLOCK and layout.data_start > layout.parameters_start:
+    # Up to two blocks may be padding.
+    if left > 2 * BLOCK and layout.data_start > layout.parameters_start:
         yield f"{left} bytes follow the last frame; they are kept as they are."
 
 

@@ -27,7 +27,7 @@ from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits
-from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.fill.registry import method_label
 
 LAYOUT_VERSION = 1
 TAB_HEIGHT = 36
@@ -251,7 +251,7 @@ class Workspace(QMainWindow):
         used = sorted({repair.method for repair in document.repairs.values()})
         about = About(
             file=document.source.path.name,
-            methods=tuple(METHODS[method].label for method in used),
+            methods=tuple(method_label(method) for method in used),
             warnings=document.source.warnings,
             proof=self._proof if document.undo_stack.isClean() else (),
         )

@@ -400,7 +400,7 @@ def test_ctrl_c_ends_without_a_traceback_and_leaves_nothing(samples: Path, tmp_p
         "from mocapmend.files import c3d_patch\n"
         # A shell lets what it runs in the background ignore the signal.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        "c3d_patch._verify = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"
+        "c3d_patch._Copy.verify = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"
         f"sys.exit(main(['repair', {source!r}, '-o', {str(out)!r}]))"
     )
     done = subprocess.run(

@@ -4,7 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from mocapmend.files.c3d_reader import read_c3d
+from mocapmend.files.c3d_reader import C3DFile, read_c3d
+from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
 
 
@@ -41,4 +42,5 @@ def read_recording(path: Path) -> Source:
     path = Path(path)
     suffix = path.suffix.lower()
     found = next((item for item in FORMATS if suffix in item.suffixes), FORMATS[0])
-    return found.read(path)
+    source = found.read(path)
+    return source if isinstance(source, C3DFile) else with_repairs(source)
