@@ -96,7 +96,8 @@ class Document(QObject):
         self.undo_stack = QUndoStack(self)
         self.revision = 0
         self.original = source.measured
-        self.repairs = dict(_earlier_repairs(source))
+        self._earlier = dict(_earlier_repairs(source))
+        self.repairs = dict(self._earlier)
         self.names = short_names(source.recording.labels)
         self._points = source.recording.points.copy()
         self._state = np.full(source.recording.present.shape, SampleState.MEASURED, np.uint8)
@@ -145,6 +146,11 @@ class Document(QObject):
             if gap.start - reach <= frame < gap.stop + reach
         )
         return min(near, key=lambda gap: abs((gap.start + gap.stop) / 2.0 - frame), default=None)
+
+    def is_earlier(self, gap: Gap) -> bool:
+        """Say whether a gap's repair is the one that the file had when it was opened."""
+        repair = self._earlier.get(gap)
+        return repair is not None and self.repairs.get(gap) is repair
 
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
         """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
