@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files.atomic import same_file, write_atomically
+from mocapmend.files.atomic import not_as_written, same_file, write_atomically
 from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_reader import C3DFile
@@ -151,7 +151,7 @@ def _verify(source: C3DFile, slots: Slots, path: Path, report: Callable[[float],
         if stamp != source.stamp:
             raise changed_on_disk(source.path)
         if saved_stamp.size != stamp.size:
-            raise _not_as_written(path, "its size")
+            raise not_as_written(path, "its size")
         pairs = zip(
             read_pieces(original, layout, str(source.path)),
             read_pieces(saved, layout, str(path)),
@@ -165,7 +165,7 @@ def _verify(source: C3DFile, slots: Slots, path: Path, report: Callable[[float],
                 _check_samples(after.raw, at, slots.values[inside], layout, path)
                 point_slots(before.raw, layout)[at] = point_slots(after.raw, layout)[at]
             if not np.array_equal(before.raw, after.raw):
-                raise _not_as_written(path, "bytes outside the repaired samples")
+                raise not_as_written(path, "bytes outside the repaired samples")
     report(1.0)
 
 
@@ -189,12 +189,4 @@ def _check_samples(
         allowed = 0.5 * layout.scale + np.spacing(np.abs(expected))
         same = (np.abs(read.astype(np.float64) - expected) <= allowed).all()
     if not (same and np.array_equal(words[:, 3], fourth)):
-        raise _not_as_written(path, "repaired samples")
-
-
-def _not_as_written(path: Path, what: str) -> MocapmendError:
-    return MocapmendError(
-        f"The file did not read back as it was written ({what}); it was removed.",
-        str(path.parent),
-        "Check the disk, or choose another one.",
-    )
+        raise not_as_written(path, "repaired samples")
