@@ -42,6 +42,7 @@ class Row:
     missing: float
     gaps: str
     analog: int
+    plates: str
     events: int | None
 
 
@@ -57,13 +58,14 @@ def manifest() -> list[Row]:
         if len(cells) != 13 or not cells[0].lower().endswith(".c3d") or cells[3] == "-":
             continue
         points = re.fullmatch(r"(\d+) \((\d+|-)\)", cells[6])
-        rest = re.match(r"A(\d+) FP\S+ ev(\d+|-)", cells[11])
+        rest = re.match(r"A(\d+) FP(\S+) ev(\d+|-)", cells[11])
         assert points and rest, line
         rows.append(
             Row(
                 SHARED / folder / cells[0], cells[3], int(cells[4]), float(cells[5]),
                 int(points[1]), None if points[2] == "-" else int(points[2]), cells[7],
-                float(cells[8]), cells[9], int(rest[1]), None if rest[2] == "-" else int(rest[2]),
+                float(cells[8]), cells[9], int(rest[1]), rest[2],
+                None if rest[3] == "-" else int(rest[3]),
             )
         )  # fmt: skip
     return rows
@@ -105,6 +107,12 @@ def test_figures_of_the_manifest(row: Row) -> None:
         interior = [gap.length for gap in gaps if gap.kind(recording.frames) == "interior"]
         assert f"{len(interior)}/{max(interior, default=0)}" == row.gaps
     assert layout.channels * layout.analog_samples == row.analog
+    # "2t4" are two plates of type 4; "-" is a file without such a group.
+    types = "".join(sorted({f"t{plate.type}" for plate in file.force_plates}))
+    assert f"{len(file.force_plates)}{types}" == row.plates.replace("-", "0")
+    assert any(key.startswith("FORCE_PLATFORM:") for key in layout.parameters) == (
+        row.plates != "-"
+    )
     assert len(file.events) == (row.events or 0) or row.events is None
 
 

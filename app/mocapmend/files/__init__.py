@@ -2,6 +2,7 @@
 
 from mocapmend.files.atomic import same_file
 from mocapmend.files.c3d_encode import SampleRun
+from mocapmend.files.c3d_force_plates import ForcePlate
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_new import write_new_c3d
 from mocapmend.files.c3d_patch import Saved, save_patched
@@ -17,6 +18,7 @@ __all__ = [
     "ChangedRun",
     "CheckReport",
     "Event",
+    "ForcePlate",
     "Layout",
     "SampleRun",
     "Saved",

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
+from mocapmend.files.c3d_force_plates import ForcePlate, read_force_plates
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
     analog_labels,
@@ -44,11 +45,14 @@ class C3DFile(Source):
         The stored point of each marker of the recording.
     residuals : ndarray, shape (frames, markers), float32
         Residuals in the recording's unit, NaN where the marker is missing.
+    force_plates : tuple of ForcePlate
+        In the order of the file.
     """
 
     layout: Layout
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
+    force_plates: tuple[ForcePlate, ...] = ()
 
     @np.errstate(all="ignore")
     def read_analog(self) -> NDArray[np.float64]:
@@ -97,6 +101,7 @@ def read_c3d(path: Path) -> C3DFile:
             raise MocapmendError(
                 "The recording does not fit into memory.", str(path), "Close other programs."
             ) from None
+    force_plates = read_force_plates(layout, warnings)
     if not (markers and layout.frames):
         warnings.append("The file holds no marker data: there is nothing to repair.")
     return C3DFile(
@@ -113,6 +118,7 @@ def read_c3d(path: Path) -> C3DFile:
         ),
         marker_points=markers,
         residuals=residuals,
+        force_plates=force_plates,
         model_outputs=tuple(labels[i] for i in sorted(models)),
         events=read_events(layout),
         analog_labels=analog_labels(layout),
