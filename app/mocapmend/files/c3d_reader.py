@@ -13,6 +13,7 @@ from mocapmend.files.c3d_force_plates import ForcePlate, read_force_plates
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
     analog_labels,
+    analog_units,
     model_points,
     point_labels,
     read_events,
@@ -47,12 +48,15 @@ class C3DFile(Source):
         Residuals in the recording's unit, NaN where the marker is missing.
     force_plates : tuple of ForcePlate
         In the order of the file.
+    analog_units : tuple of str
+        One per analog channel, as the file writes it; empty where it has none.
     """
 
     layout: Layout
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
     force_plates: tuple[ForcePlate, ...] = ()
+    analog_units: tuple[str, ...] = ()
 
     @np.errstate(all="ignore")
     def read_analog(self) -> NDArray[np.float64]:
@@ -122,6 +126,7 @@ def read_c3d(path: Path) -> C3DFile:
         model_outputs=tuple(labels[i] for i in sorted(models)),
         events=read_events(layout),
         analog_labels=analog_labels(layout),
+        analog_units=analog_units(layout),
         analog_rate=layout.analog_rate,
         warnings=tuple(warnings),
         frames_promised=layout.frames_promised,
