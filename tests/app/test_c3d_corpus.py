@@ -307,6 +307,8 @@ for number, path in enumerate(sys.argv[2:]):
         labels=json.dumps(labels),
     )
 """
+SMALL = [path for path in FILES if path.exists() and path.stat().st_size < 400_000]
+"""It is slow."""
 MISREAD_BY_EZC3D = {"btk_standing"}
 """Files that state no frame rate among their parameters."""
 OFFSETS_OF_EZC3D = {"btk_Analysis", "btk_shd01"}
@@ -320,14 +322,14 @@ def ezc3d_results(tmp_path_factory: pytest.TempPathFactory) -> Path:
         pytest.skip("ezc3d is not installed")
     folder = tmp_path_factory.mktemp("ezc3d")
     # In a process of its own: it may crash.
-    command = [sys.executable, "-c", EZC3D, folder, *FILES]
+    command = [sys.executable, "-c", EZC3D, folder, *SMALL]
     subprocess.run(list(map(str, command)), check=True, capture_output=True)
     return folder
 
 
-@each_file
+@pytest.mark.parametrize("path", SMALL, ids=lambda path: path.stem)
 def test_ezc3d_reads_the_same(path: Path, ezc3d_results: Path) -> None:
-    result = ezc3d_results / f"{FILES.index(path)}.npz"
+    result = ezc3d_results / f"{SMALL.index(path)}.npz"
     if path.stem in MISREAD_BY_EZC3D or not result.is_file():
         pytest.skip("ezc3d refuses it or misreads it")
     theirs = np.load(result)
