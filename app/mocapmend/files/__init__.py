@@ -2,7 +2,9 @@
 
 from mocapmend.files.atomic import same_file
 from mocapmend.files.c3d_encode import SampleRun
+from mocapmend.files.c3d_force_plates import ForcePlate
 from mocapmend.files.c3d_layout import Layout
+from mocapmend.files.c3d_new import write_new_c3d
 from mocapmend.files.c3d_patch import Saved, save_patched
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
@@ -17,6 +19,7 @@ __all__ = [
     "ChangedRun",
     "CheckReport",
     "Event",
+    "ForcePlate",
     "Layout",
     "Provenance",
     "RepairRecord",
@@ -30,4 +33,5 @@ __all__ = [
     "read_recording",
     "same_file",
     "save_patched",
+    "write_new_c3d",
 ]

@@ -153,19 +153,41 @@ def _words(
     values: NDArray[np.float64], present: NDArray[np.bool_], layout: Layout
 ) -> tuple[Words, NDArray[np.bool_], NDArray[np.float64]]:
     """Return the words (n, 4), which samples would read as missing, and where these went."""
-    kind = np.float32 if layout.is_float else np.int16
-    words = np.zeros((len(values), 4), kind)
+    words = np.zeros((len(values), 4), np.float32 if layout.is_float else np.int16)
     words[:, :3] = values if layout.is_float else np.rint(values / layout.scale)
-    zeros = present & ~words[:, :3].any(axis=1)
-    if not zeros.any():
-        return words, zeros, np.zeros((0, 3))
-    at = np.flatnonzero(zeros)
-    axis = np.abs(values[at]).argmax(axis=1)
-    sign = np.where(values[at, axis] < 0, -1, 1)
-    words[at, :3] = 0
-    words[at, axis] = sign * (NOT_ZERO if layout.is_float else 1)
+    zeros = move_from_zero(words, values, present, NOT_ZERO if layout.is_float else 1)
     step = 1.0 if layout.is_float else layout.scale
-    return words, zeros, words[at, :3].astype(np.float64) * step
+    return words, zeros, words[zeros, :3].astype(np.float64) * step
+
+
+def move_from_zero(
+    words: Words, values: NDArray[np.float64], present: NDArray[np.bool_], step: float
+) -> NDArray[np.bool_]:
+    """Move the present samples that would read as missing, in place.
+
+    Parameters
+    ----------
+    words : ndarray, shape (n, 4)
+        The samples as they are stored; changed.
+    values : ndarray, shape (n, 3)
+        The coordinates before they were rounded; they say in which direction.
+    present : ndarray of bool, shape (n,)
+        Which samples are not missing.
+    step : float
+        How far, in the unit of the words.
+
+    Returns
+    -------
+    ndarray of bool, shape (n,)
+        Which samples were moved.
+    """
+    zeros: NDArray[np.bool_] = present & ~words[:, :3].any(axis=1)
+    at = np.flatnonzero(zeros)
+    if len(at):
+        axis = np.abs(values[at]).argmax(axis=1)
+        words[at, :3] = 0
+        words[at, axis] = np.where(values[at, axis] < 0, -step, step)
+    return zeros
 
 
 def _does_not_fit(

@@ -14,6 +14,7 @@ from mocapmend.files.c3d_parameters import Parameters
 
 MOST_FIRST = 1_000_000_000
 """No recording is that long: a larger number of the first frame is damage."""
+HIGHEST_RATE = 1e6
 BLOCK = 512
 ASSUMED_RATE = 100.0
 
@@ -87,7 +88,7 @@ def point_scale(header: Header, parameters: Parameters, warnings: list[str]) -> 
 def frame_rate(header: Header, parameters: Parameters, warnings: list[str]) -> float:
     """Return the frames per second: the parameter's, else the header's."""
     stated = parameters.number("POINT:RATE")
-    usable = [v for v in (stated, header.rate) if v is not None and 0 < v < 1e6]
+    usable = [v for v in (stated, header.rate) if v is not None and 0 < v < HIGHEST_RATE]
     if not usable:
         warnings.append(f"The file states no frame rate; {ASSUMED_RATE:g} Hz is assumed.")
         return ASSUMED_RATE

@@ -53,6 +53,12 @@ def analog_labels(layout: Layout) -> tuple[str, ...]:
     return tuple(text or f"channel {i}" for i, text in enumerate(padded, 1))
 
 
+def analog_units(layout: Layout) -> tuple[str, ...]:
+    """Return one unit per analog channel as the file writes it, empty where it has none."""
+    stated = layout.parameters.texts("ANALOG:UNITS")[: layout.channels]
+    return stated + ("",) * (layout.channels - len(stated))
+
+
 def read_events(layout: Layout) -> tuple[Event, ...]:
     """Return the events of the group EVENT and those of the header that it does not repeat."""
     listed = _group_events(layout)
@@ -82,7 +88,7 @@ def _group_events(layout: Layout) -> list[Event]:
             layout,
             labels[i] if i < len(labels) else "",
             contexts[i] if i < len(contexts) else "",
-            60.0 * times[2 * i] + times[2 * i + 1],
+            float(60.0 * times[2 * i] + times[2 * i + 1]),
         )
         for i in range(count)
         if np.isfinite(times[2 * i : 2 * i + 2]).all()

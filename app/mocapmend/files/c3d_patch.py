@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files import sidecar
-from mocapmend.files.atomic import same_file, write_atomically
+from mocapmend.files.atomic import not_as_written, same_file, write_atomically
 from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs, fits
 from mocapmend.files.c3d_group import NAME
 from mocapmend.files.c3d_layout import Layout
@@ -225,7 +225,7 @@ class _Copy:
         layout = self._target.layout
         with open_file(path) as (stream, stamp):
             if stamp.size != layout.size:
-                raise _not_as_written(path, "its size")
+                raise not_as_written(path, "its size")
             for expected in self._pieces(0.5):
                 read = np.empty(expected.raw.shape, np.uint8)
                 fill(stream, read, str(path))
@@ -234,7 +234,7 @@ class _Copy:
                     at = self._slots.frames[inside] - expected.frame, self._slots.points[inside]
                     _check_samples(read, at, self._slots.values[inside], layout, path)
                 if not np.array_equal(expected.raw, read):
-                    raise _not_as_written(path, "bytes outside the repaired samples")
+                    raise not_as_written(path, "bytes outside the repaired samples")
         self._progress(1.0)
 
     def _pieces(self, done: float) -> Iterator[Piece]:
@@ -284,12 +284,4 @@ def _check_samples(
         allowed = 0.5 * layout.scale + np.spacing(np.abs(expected))
         same = (np.abs(read.astype(np.float64) - expected) <= allowed).all()
     if not (same and np.array_equal(words[:, 3], fourth)):
-        raise _not_as_written(path, "repaired samples")
-
-
-def _not_as_written(path: Path, what: str) -> MocapmendError:
-    return MocapmendError(
-        f"The file did not read back as it was written ({what}); it was removed.",
-        str(path.parent),
-        "Check the disk, or choose another one.",
-    )
+        raise not_as_written(path, "repaired samples")

@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
+from mocapmend.files.c3d_force_plates import ForcePlate, read_force_plates
 from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
     analog_labels,
+    analog_units,
     model_points,
     point_labels,
     read_events,
@@ -47,11 +49,17 @@ class C3DFile(Source):
         The stored point of each marker of the recording.
     residuals : ndarray, shape (frames, markers), float32
         Residuals in the recording's unit, NaN where the marker is missing.
+    force_plates : tuple of ForcePlate
+        In the order of the file.
+    analog_units : tuple of str
+        One per analog channel, as the file writes it; empty where it has none.
     """
 
     layout: Layout
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
+    force_plates: tuple[ForcePlate, ...] = ()
+    analog_units: tuple[str, ...] = ()
 
     @property
     def stored_points(self) -> tuple[int, ...]:
@@ -110,6 +118,7 @@ def read_c3d(path: Path) -> C3DFile:
             raise MocapmendError(
                 "The recording does not fit into memory.", str(path), "Close other programs."
             ) from None
+    force_plates = read_force_plates(layout, warnings)
     if not (markers and layout.frames):
         warnings.append("The file holds no marker data: there is nothing to repair.")
     stated = _repair_record(layout, warnings)
@@ -127,9 +136,11 @@ def read_c3d(path: Path) -> C3DFile:
         ),
         marker_points=markers,
         residuals=residuals,
+        force_plates=force_plates,
         model_outputs=tuple(labels[i] for i in sorted(models)),
         events=read_events(layout),
         analog_labels=analog_labels(layout),
+        analog_units=analog_units(layout),
         analog_rate=layout.analog_rate,
         warnings=tuple(warnings),
         frames_promised=layout.frames_promised,

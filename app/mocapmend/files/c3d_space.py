@@ -16,6 +16,9 @@ UNITS = {
 }  # fmt: skip
 """Units by the first four letters of what files write."""
 
+SOFTWARE = "mocapmend"
+"""MANUFACTURER:SOFTWARE of the files that we write: their axes are meant as they stand."""
+
 LARGEST_IN_METRES = 20.0
 SAMPLED_FRAMES = 200
 FEWEST_MARKERS = 6
@@ -52,6 +55,8 @@ def up_axis(points: NDArray[np.float64], parameters: Parameters, warnings: list[
         if points.size:
             warnings.append(f"The file does not say which axis points up; {guess} is a guess.")
         return guess
+    if parameters.text("MANUFACTURER:SOFTWARE") == SOFTWARE:
+        return stated
     sample = _sample(points)[..., "xyz".index(stated[1])]
     if stated[0] == "-" and sample.size and np.percentile(sample, 5) > 0:
         up = AXES["+" + stated[1]]
