@@ -12,10 +12,13 @@ from mocapmend_algorithms.recording import UpAxis
 
 RATE = 120.0
 """Of most recordings of joints (Hz), CMU's among them."""
-COMMON_RATES = (24.0, 25.0, 29.97, 30.0, 48.0, 50.0, 59.94, 60.0, 72.0, 90.0, 100.0, 120.0,
-                144.0, 150.0, 200.0, 240.0, 250.0, 300.0, 500.0, 1000.0)  # fmt: skip
+COMMON_RATES = (
+    *(5.0, 10.0, 15.0, 20.0, 24.0, 25.0, 29.97, 30.0, 48.0, 50.0, 59.94, 60.0, 72.0, 90.0, 100.0),
+    *(120.0, 144.0, 150.0, 200.0, 240.0, 250.0, 300.0, 500.0, 1000.0),
+)
 RATE_BOUNDS = 0.01, 100_000.0
 SAME_RATE = 0.03
+LIKE_RATE = 0.15
 
 CM_PER_INCH = 2.54
 CMU_UNIT = 1 / 0.45
@@ -79,7 +82,8 @@ def up_axis(points: NDArray[np.float64], rest: NDArray[np.float64], warnings: li
 def rate_of(frame_time: str, warnings: list[str]) -> float:
     """Return the rate (Hz) that a frame time means, which is mostly rounded: 0.0083 is 120 Hz.
 
-    Of the common rates that round to the stated digits, the nearest is taken where it is near.
+    Of the common rates that the stated digits may stand for, rounded or cut, the nearest is taken
+    where it is near.
     """
     try:
         seconds = float(frame_time)
@@ -90,8 +94,11 @@ def rate_of(frame_time: str, warnings: list[str]) -> float:
         return RATE
     rate = 1 / seconds
     _, _, digits = frame_time.lower().partition("e")[0].partition(".")
-    half = 0.5 * 10.0 ** -len(digits)
-    near = [common for common in COMMON_RATES if abs(1 / common - seconds) <= half]
+    near = [
+        common
+        for common in COMMON_RATES
+        if abs(1 / common - seconds) < 10.0 ** -len(digits) and abs(common / rate - 1) <= LIKE_RATE
+    ]
     nearest = min(near, key=lambda common: abs(common - rate), default=rate)
     if abs(nearest / rate - 1) <= SAME_RATE:
         return nearest
