@@ -72,16 +72,16 @@ def _source(
 ) -> Source:
     """Place the joints; the values, of shape (frames, channels), are changed."""
     joints = skeleton.joints
-    warnings.append(
-        f"The file states no rate and no axis that points up; {RATE:g} Hz and +y, as in CMU's "
-        "recordings, are assumed."
-    )
     check_size(len(values), len(joints), stamp.size, str(path))
     for channel, start in skeleton.start.items():
         values[:, channel] += start
     points = positions(joints, values)
     labels = tuple(joint.label for joint in joints)
     about_samples(points, labels, warnings)
+    warnings.append(
+        f"The file states no rate and no axis that points up; {RATE:g} Hz and +y, as in CMU's "
+        "recordings, are assumed."
+    )
     if skeleton.length == 1:
         unit, factor = body_unit(points, joints, warnings)
     else:

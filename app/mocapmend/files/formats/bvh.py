@@ -66,7 +66,7 @@ def _read(path: Path, raw: bytes, stamp: Stamp) -> Source:
     rate = rate_of(motion.frame_time, warnings)
     rest = rest_values(joints, channels)
     values = motion.values
-    if not len(values) and not motion.promised:
+    if not len(values) and motion.promised == 0:
         warnings.append("The file holds no motion; the rest pose is shown as one frame.")
         values = rest
     elif not len(values):
@@ -119,7 +119,7 @@ def _read_motion(raw: bytes, start: int, channels: int, where: str) -> _Motion:
             # The file was cut: of its last number, only the first digits may be left.
             values = values[:-1]
         warnings += _about_frames(len(values), promised)
-    return _Motion(values, promised if channels else None, frame_time, tuple(warnings))
+    return _Motion(values, promised if channels else 0, frame_time, tuple(warnings))
 
 
 def _about_frames(frames: int, promised: int) -> Iterator[str]:
