@@ -146,10 +146,11 @@ def test_other_length_units(tmp_path: Path) -> None:
     plain = read_amc(write(tmp_path)).recording.points
     source = read_amc(write(tmp_path, asf=ASF.replace("length 0.45", "length 0.9")))
     np.testing.assert_allclose(source.recording.points, plain / 2)
-    # Without a unit, the size decides: this skeleton fits CMU's.
-    source = read_amc(write(tmp_path, asf=ASF.replace("length 0.45", "")))
-    np.testing.assert_allclose(source.recording.points, plain)
-    assert [text for text in source.warnings if "states no length unit; 1/0.45 inch" in text]
+    # Without a unit, or with one that cannot be, the size decides: this skeleton fits CMU's.
+    for stated in ("", "length 1.0", "length 0", "length -1", "length 1e-320", "length 1e11"):
+        source = read_amc(write(tmp_path, asf=ASF.replace("length 0.45", stated)))
+        np.testing.assert_allclose(source.recording.points, plain)
+        assert [text for text in source.warnings if "states no length unit; 1/0.45 inch" in text]
 
 
 def test_a_skeleton_alone_shows_its_rest_pose(tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ ROTATIONS = {"rx": 0, "ry": 1, "rz": 2}
 TRANSLATIONS = {"tx": 0, "ty": 1, "tz": 2}
 FREEDOMS = {*ROTATIONS, *TRANSLATIONS, "l"}
 ROOT_ORDER = ("tx", "ty", "tz", "rx", "ry", "rz")
+LENGTH_UNITS = 1e-3, 1e3
 DEGREES_PER_RADIAN = 57.29577951308232
 
 
@@ -34,7 +35,7 @@ class Skeleton:
     start : mapping of int to float
         What the root's position adds to columns of the motion.
     length : float
-        The file's length unit; 1 where it states none.
+        The file's length unit; 1 where it states none that can be.
     radians : bool
         Whether its angles are radians.
     warnings : tuple of str
@@ -56,7 +57,8 @@ def read_asf(raw: bytes, where: str) -> Skeleton:
 
     A bone turns by C M C^-1: C is its axis, M its angles in the file, both about fixed axes in
     the order in which they are written. Its tip lies at its parent's tip plus its own direction
-    times its length, carried by all turns from the root to itself.
+    times its length, carried by all turns from the root to itself. The root turns in the same way,
+    its orientation being C.
 
     Parameters
     ----------
@@ -102,7 +104,7 @@ class _Builder:
             channels=self._channels,
             angles=tuple(self._angles),
             start={channel: position[axis] for axis, channel in joints[0].shifts},
-            length=length if length > 0 else 1.0,
+            length=length if LENGTH_UNITS[0] <= length <= LENGTH_UNITS[1] else 1.0,
             radians=self._radians,
             warnings=tuple(self._warnings),
         )
