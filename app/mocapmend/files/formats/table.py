@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
+from mocapmend.files.formats.amc import read_amc
+from mocapmend.files.formats.bvh import read_bvh
 from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
 
@@ -28,7 +30,11 @@ class Format:
     read: Callable[[Path], Source]
 
 
-FORMATS: tuple[Format, ...] = (Format("C3D", (".c3d",), read_c3d),)
+FORMATS: tuple[Format, ...] = (
+    Format("C3D", (".c3d",), read_c3d),
+    Format("BVH", (".bvh",), read_bvh),
+    Format("Acclaim ASF/AMC", (".amc", ".asf"), read_amc),
+)
 
 
 def read_recording(path: Path) -> Source:
