@@ -21,7 +21,9 @@ from mocapmend.files import (
     check_files,
     confirm_with_c3d,
     read_recording,
+    patches,
     save_patched,
+    write_recording,
 )
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
@@ -29,6 +31,9 @@ from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_from_distances
 from mocapmend_resources import skeletons
+
+
+READ_BACK = "The file was read back: all samples are as they should be."
 
 
 def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
@@ -140,21 +145,21 @@ class Exported:
     saved : Saved
         What was written.
     second_reader : str
-        What an independent C3D library makes of the file, as a sentence.
-    check : CheckReport
-        The comparison with the original, passed.
+        What an independent C3D library makes of the file, or how it was read back, as a sentence.
+    check : CheckReport or None
+        The comparison with the original, passed; None where the new file is no copy of it.
     """
 
     saved: Saved
     second_reader: str
-    check: CheckReport
+    check: CheckReport | None
 
     @property
     def sentences(self) -> tuple[str, ...]:
         """The proofs and what else there is to know, for reports."""
+        checked = () if self.check is None else (self.check.sentence, *self.check.allowed)
         return (
-            self.check.sentence,
-            *self.check.allowed,
+            *checked,
             self.second_reader,
             *self.saved.sentences,
         )
@@ -169,6 +174,9 @@ def export(
     progress: Progress,
 ) -> Exported:
     """Write the repaired copy of a file and prove that only the repairs differ.
+
+    A C3D file is copied and patched. What comes from another format, or goes into one, is written
+    as a new file.
 
     The proofs come before the copy gets its name: what was there stays until they have passed.
 
@@ -190,10 +198,20 @@ def export(
     MocapmendError
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
-    if not isinstance(source, C3DFile):
-        raise MocapmendError(
-            f"Repairs of a {source.kind} file cannot be written yet.", str(source.path)
+    if not (isinstance(source, C3DFile) and patches(source, out)):
+        points = source.recording.points.copy()
+        for run in changes.runs:
+            points[run.start : run.start + len(run.values), run.marker] = run.values
+        saved = write_recording(
+            source,
+            source.recording.with_points(points),
+            changes.repairs,
+            out,
+            replace_source=replace_source,
+            accept_truncated=accept_truncated,
+            progress=progress,
         )
+        return Exported(saved, READ_BACK, None)
     proofs: list[tuple[str, CheckReport]] = []
 
     def prove(copy: Path, record: Provenance | None) -> None:

@@ -5,7 +5,9 @@ from mocapmend.files.c3d_encode import SampleRun
 from mocapmend.files.c3d_force_plates import ForcePlate
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_new import write_new_c3d
-from mocapmend.files.c3d_patch import Saved, save_patched
+from mocapmend.files.c3d_patch import save_patched
+from mocapmend.files.saving import Saved
+from mocapmend.files.writing import WRITTEN, patches, write_recording
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
 from mocapmend.files.formats import read_recording
@@ -23,6 +25,9 @@ __all__ = [
     "Layout",
     "Provenance",
     "RepairRecord",
+    "WRITTEN",
+    "patches",
+    "write_recording",
     "SampleRun",
     "Saved",
     "Source",

@@ -24,7 +24,7 @@ from mocapmend.files.c3d_samples import (
     read_blocks,
     unmarked_missing,
 )
-from mocapmend.files.c3d_section import LARGEST_WORD, float_header, parameter_section
+from mocapmend.files.c3d_section import LARGEST_WORD, MOST_BLOCKS, float_header, parameter_section
 from mocapmend.files.c3d_space import length_unit, up_axis
 from mocapmend.files.opening import open_file
 from mocapmend.files.source import Event
@@ -37,6 +37,7 @@ def write_new_c3d(
     out: Path,
     *,
     events: Sequence[Event] = (),
+    leading: bytes = b"",
     progress: Progress = no_progress,
 ) -> tuple[str, ...]:
     """Write a recording as a C3D file of Intel floats.
@@ -52,6 +53,8 @@ def write_new_c3d(
         Where the file goes; what was there before is replaced.
     events : sequence of Event
         Written at their frames; their times follow from these.
+    leading : bytes
+        Further parameter records, a whole number of blocks; see `room_for_records`.
     progress : Progress
         Called often; may cancel.
 
@@ -73,7 +76,7 @@ def write_new_c3d(
 
     def write(stream: BinaryIO) -> None:
         nonlocal moved
-        stream.writelines(_head(recording, parameters, str(out)))
+        stream.writelines(_head(recording, parameters, leading, str(out)))
         for block in _blocks(recording, str(out)):
             stream.write(block.words.data)
             moved += block.moved
@@ -91,6 +94,12 @@ def write_new_c3d(
             f"{NOT_ZERO:g} {recording.unit}."
         )
     return tuple(notes)
+
+
+def room_for_records(recording: Recording, events: Sequence[Event]) -> int:
+    """Return how many bytes of further parameter records a new file has room for."""
+    own = new_records(recording, NewParameters.of(recording, events), 0)
+    return MOST_BLOCKS * BLOCK - 6 - sum(map(len, own))
 
 
 def _check_limits(recording: Recording, events: Sequence[Event], where: str) -> None:
@@ -120,10 +129,12 @@ def _check_limits(recording: Recording, events: Sequence[Event], where: str) -> 
         )
 
 
-def _head(recording: Recording, parameters: NewParameters, where: str) -> Iterator[bytes]:
+def _head(
+    recording: Recording, parameters: NewParameters, leading: bytes, where: str
+) -> Iterator[bytes]:
     """Yield what comes before the samples."""
     section = parameter_section(
-        lambda data_block: new_records(recording, parameters, data_block),
+        lambda data_block: [leading, *new_records(recording, parameters, data_block)],
         Processor.INTEL,
         where,
     )

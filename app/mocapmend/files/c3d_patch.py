@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files import sidecar
-from mocapmend.files.atomic import not_as_written, same_file, write_atomically
+from mocapmend.files.atomic import not_as_written, write_atomically
 from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs, fits
-from mocapmend.files.c3d_group import NAME
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_reader import C3DFile
 from mocapmend.files.c3d_samples import (
@@ -28,45 +27,11 @@ from mocapmend.files.c3d_samples import (
 from mocapmend.files.c3d_target import Target, plan
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance, RepairRecord
-from mocapmend.files.sidecar import sidecar_path
+from mocapmend.files.saving import Saved, check_place
 from mocapmend_algorithms.progress import Progress, no_progress
 
 NO_HASH = "0" * 64
 """Holds the place of a hash that is not known yet."""
-
-
-@dataclass(frozen=True)
-class Saved:
-    """What was written.
-
-    Attributes
-    ----------
-    path : Path
-        The new file.
-    samples : int
-        Number of samples that were replaced.
-    notes : tuple of str
-        What the user should know about it.
-    converted : bool
-        Whether integers became floats.
-    record : str
-        Where the repair record is: "group" (in the file), "sidecar", or "" without one.
-    """
-
-    path: Path
-    samples: int
-    notes: tuple[str, ...] = ()
-    converted: bool = False
-    record: str = ""
-
-    @property
-    def sentences(self) -> tuple[str, ...]:
-        """What the user should know, the place of the repair record included."""
-        places = {
-            "group": f"The repair record is in the file, as parameter group {NAME}.",
-            "sidecar": f"The repair record is beside the file: {sidecar_path(self.path).name}.",
-        }
-        return (*(places[key] for key in places if key == self.record), *self.notes)
 
 
 @np.errstate(all="ignore")
@@ -117,7 +82,13 @@ def save_patched(
         If it cannot be saved. Then nothing is left behind.
     """
     out = Path(out)
-    _check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
+    if not source.path.exists():
+        raise MocapmendError(
+            "The original is not there any more; saving copies its bytes.",
+            str(source.path),
+            "Put it back under this name, then save again.",
+        )
+    check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
     to_float = not fits(source, runs)
     provenance = _provenance(source, runs, repairs, to_float=to_float)
     target = plan(source, provenance, to_float=to_float)
@@ -135,28 +106,6 @@ def save_patched(
     if target.record != "sidecar":
         sidecar.remove(out)
     return Saved(out, len(slots), slots.notes, to_float, target.record)
-
-
-def _check_place(
-    source: C3DFile, out: Path, *, replace_source: bool, accept_truncated: bool
-) -> None:
-    if source.truncated and not accept_truncated:
-        raise MocapmendError(
-            f"The file is truncated: {source.layout.frames} of {source.frames_promised} frames "
-            "are there.",
-            str(source.path),
-            "Confirm that you want to save it all the same (--accept-truncated).",
-        )
-    if not source.path.exists():
-        raise MocapmendError(
-            "The original is not there any more; saving copies its bytes.",
-            str(source.path),
-            "Put it back under this name, then save again.",
-        )
-    if not replace_source and same_file(out, source.path):
-        raise MocapmendError(
-            "This is the file that the data come from.", str(out), "Choose another name."
-        )
 
 
 def _provenance(
