@@ -2,13 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mocapmend.errors import MocapmendError
 from mocapmend.files.formats.frames import LARGEST_FRAME, Frames
-from mocapmend.files.formats.text import Lines
 from mocapmend.files.labels import complete_labels
+from mocapmend.files.opening import ANOTHER_FILE
 from mocapmend.files.space import assumed_up, length_unit
 from mocapmend_algorithms.recording import Recording, UpAxis
 
@@ -43,7 +45,7 @@ class Stated:
 
 
 @np.errstate(all="ignore")
-def assemble(lines: Lines, frames: Frames, stated: Stated, warnings: list[str]) -> Recording:
+def assemble(path: Path, frames: Frames, stated: Stated, warnings: list[str]) -> Recording:
     """Make the recording of what was read and stated.
 
     Frames that the numbers leave out become frames without markers.
@@ -54,7 +56,7 @@ def assemble(lines: Lines, frames: Frames, stated: Stated, warnings: list[str]) 
         If it holds no marker.
     """
     if not frames.points.shape[1]:
-        raise lines.error("The file holds no marker.")
+        raise MocapmendError("The file holds no marker.", str(path), ANOTHER_FILE)
     labels = complete_labels(stated.labels, frames.points.shape[1], warnings)
     index, first_frame = _places(frames.numbers, stated.first_frame, warnings)
     points = frames.points

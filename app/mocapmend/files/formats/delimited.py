@@ -62,7 +62,7 @@ def parse_csv(lines: Lines) -> Source:
     return Source(
         path=lines.path,
         kind="CSV",
-        recording=assemble(lines, frames, header.stated(labels), warnings),
+        recording=assemble(lines.path, frames, header.stated(labels), warnings),
         stamp=lines.stamp,
         warnings=tuple(warnings),
     )

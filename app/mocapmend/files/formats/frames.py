@@ -9,6 +9,8 @@ from mocapmend.files.formats.cells import read_numbers
 from mocapmend.files.formats.columns import Columns, check_count
 from mocapmend.files.formats.text import Lines
 
+BLOCK = 1 << 18
+"""Numbers that are looked at together, so that they stay in the processor's cache."""
 LARGEST_FRAME = 2**31 - 1
 LARGEST_NUMBER = float(np.finfo(np.float32).max)
 """As in C3D files; the squares of much larger numbers overflow."""
@@ -51,7 +53,12 @@ class MissingRule:
     unusable: int = field(default=0, init=False)
 
     def apply(self, points: NDArray[np.float64]) -> None:
-        """Make all three coordinates of missing samples NaN, in place; shape (..., 3)."""
+        """Make all three coordinates of missing samples NaN, in place; shape (n, ..., 3)."""
+        step = max(len(points) * BLOCK // max(points.size, 1), 1)
+        for start in range(0, len(points), step):
+            self._apply(points[start : start + step])
+
+    def _apply(self, points: NDArray[np.float64]) -> None:
         absent = np.isnan(points)
         unusable = (np.abs(points) > LARGEST_NUMBER).any(axis=-1)
         missing = absent.any(axis=-1)

@@ -55,7 +55,7 @@ def parse_motive(lines: Lines) -> Source:
         up="+y",
         first_frame=0,
     )
-    recording = assemble(lines, frames, stated, warnings)
+    recording = assemble(lines.path, frames, stated, warnings)
     promised = number(values.get("total exported frames", ""))
     if promised > recording.frames:
         warnings.append(

@@ -44,7 +44,7 @@ def parse_nexus(lines: Lines) -> Source:
     return Source(
         path=lines.path,
         kind="Nexus CSV",
-        recording=assemble(lines, frames, stated, warnings),
+        recording=assemble(lines.path, frames, stated, warnings),
         stamp=lines.stamp,
         warnings=tuple(warnings),
     )

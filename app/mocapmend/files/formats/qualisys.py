@@ -54,7 +54,7 @@ def parse_qualisys(lines: Lines) -> Source:
     frames = read_frames(lines, columns, "\t", rule, warnings, quoted=False)
     warnings += rule.sentences()
     stated = Stated(labels=columns.labels, rate=header.number("FREQUENCY"), unit="mm")
-    recording = assemble(lines, frames, stated, warnings)
+    recording = assemble(lines.path, frames, stated, warnings)
     promised = header.number("NO_OF_FRAMES")
     if promised > recording.frames:
         warnings.append(

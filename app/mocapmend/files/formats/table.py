@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mocapmend.files.c3d_reader import read_c3d
+from mocapmend.files.formats.delimited import read_delimited
+from mocapmend.files.formats.npz import read_npz
+from mocapmend.files.formats.trc import read_trc
 from mocapmend.files.source import Source
 
 
@@ -27,7 +30,12 @@ class Format:
     read: Callable[[Path], Source]
 
 
-FORMATS: tuple[Format, ...] = (Format("C3D", (".c3d",), read_c3d),)
+FORMATS: tuple[Format, ...] = (
+    Format("C3D", (".c3d",), read_c3d),
+    Format("TRC", (".trc",), read_trc),
+    Format("CSV, Qualisys, Motive, Nexus", (".csv", ".tsv", ".txt"), read_delimited),
+    Format("NumPy", (".npz",), read_npz),
+)
 
 
 def read_recording(path: Path) -> Source:

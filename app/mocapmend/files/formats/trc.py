@@ -67,7 +67,7 @@ def parse_trc(lines: Lines) -> Source:
         rate=header.value("datarate"),
         unit=header.values.get("units", ""),
     )
-    recording = assemble(lines, frames, stated, warnings)
+    recording = assemble(lines.path, frames, stated, warnings)
     promised = _promised_frames(header, recording.frames, warnings)
     return Source(
         path=lines.path,
