@@ -10,7 +10,7 @@ MOST_MARKERS = 20_000
 LONGEST_LABEL = 500
 
 FRAME_NAMES = frozenset({"frame", "frame#", "#frame", "frames", "framenumber", "field", "index"})
-TIME_NAMES = re.compile(r"(time|t|seconds|timestamp)\b[^a-z]*(s|sec|seconds|ms)?\W*", re.ASCII)
+TIME_NAMES = re.compile(r"(time|t|seconds|timestamp)[^a-z]*(s|sec|seconds|ms)?\W*", re.ASCII)
 UNIT_AT_END = re.compile(r"\s*[(\[](mm|cm|dm|m|in|ft)[)\]]$")
 AXIS_AT_END = re.compile(r"(.*?)[ _.:\-]?([xyz])", re.IGNORECASE | re.DOTALL | re.ASCII)
 UNSHOWN = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
