@@ -103,9 +103,8 @@ def test_motive(tmp_path: Path) -> None:
     assert source.model_outputs == ("Club",)
     assert not source.truncated
     assert source.warnings == (
-        "1 of the 2 markers are where Motive expects markers of bodies and bones, not where "
-        "cameras saw them.",
-        "The poses of 1 bodies and bones are left out: Club.",
+        "Markers that are not measured, but where Motive expects them on a body or bone: 1 of 2.",
+        "The poses of bodies and bones are left out: Club.",
         "1 point has the label of another point.",
     )
 

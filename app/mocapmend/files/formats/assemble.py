@@ -132,8 +132,7 @@ def _places(
     absent = int(numbers[-1]) - first + 1 - len(numbers)
     if (steps >= 1).all() and absent <= len(numbers) and np.ptp(steps):
         warnings.append(
-            f"{absent} frames are left out between the first and the last; all markers are taken "
-            "as missing there."
+            f"Frames that the file leaves out are taken as frames without markers: {absent}."
         )
         return (numbers - first).astype(np.intp), first
     warnings.append(

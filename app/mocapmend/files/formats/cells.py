@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files.formats.text import Lines
+from mocapmend.files.formats.text import Block, Lines
 
 MISSING_WORDS = frozenset({"", "nan", "na", "n/a", "null", "none", "-", "--", "missing"})
 FREE_CELLS = 100_000
@@ -43,19 +43,19 @@ def number(cell: str, separator: str | None = ",") -> float:
 
 def read_numbers(
     lines: Lines,
-    block: list[str],
+    block: Block,
     columns: Sequence[int],
     separator: str | None,
     *,
     quoted: bool = True,
 ) -> Numbers:
-    """Return the numbers in some columns of a block of lines, none of which may be empty.
+    """Return the numbers in some columns of a block of lines, none of which may be blank.
 
     Parameters
     ----------
     lines : Lines
         Of the block, for error messages.
-    block : list of str
+    block : Block
         Lines.
     columns : sequence of int
         Which cells to read, from 0.
@@ -75,7 +75,7 @@ def read_numbers(
     MocapmendError
         If a cell holds something else, or lines lack most of their cells.
     """
-    text = "\n".join(["", *block, ""])
+    text = "\n".join(["", *block.lines, ""])
     if quoted and '"' in text:
         return _cell_by_cell(lines, block, columns, separator, quoted=True)
     try:
@@ -92,7 +92,7 @@ def read_numbers(
 
 
 def read_rows(
-    lines: Lines, block: list[str], separator: str | None, *, quoted: bool = True
+    lines: Lines, block: Block, separator: str | None, *, quoted: bool = True
 ) -> list[list[str]]:
     """Return the cells of a block of lines.
 
@@ -102,24 +102,20 @@ def read_rows(
         If a quotation mark is left open.
     """
     if separator is None or not quoted:
-        return [line.split(separator) for line in block]
+        return [line.split(separator) for line in block.lines]
     try:
-        rows = list(csv.reader(block, delimiter=separator))
+        rows = list(csv.reader(block.lines, delimiter=separator))
     except csv.Error:
         rows = []
-    if len(rows) != len(block):
-        last = lines.number + len(block) - 1
-        raise lines.error(
-            f"A quotation mark is not closed between line {lines.number} and line {last}."
-        )
+    if len(rows) != len(block.lines):
+        first, last = block.numbers[0], block.numbers[-1]
+        raise lines.error(f"A quotation mark is not closed between line {first} and line {last}.")
     return rows
 
 
-def not_a_number(lines: Lines, offset: int, cell: str) -> MocapmendError:
-    """Return the error for a cell in a line of the present block."""
-    return lines.error(
-        f"Line {lines.number + offset} has “{cell.strip():.30}” where a number belongs."
-    )
+def not_a_number(lines: Lines, line_number: int, cell: str) -> MocapmendError:
+    """Return the error for a cell in a line."""
+    return lines.error(f"Line {line_number} has “{cell.strip():.30}” where a number belongs.")
 
 
 def to_float(cell: str, separator: str | None) -> float | None:
@@ -149,13 +145,13 @@ def _cell_by_cell(
 ) -> Numbers:
     rows = read_rows(lines, block, separator, quoted=quoted)
     if len(rows) * len(columns) > 4 * sum(map(len, rows)) + FREE_CELLS:
-        raise lines.error(f"Most lines after line {lines.number} end before their last column.")
+        raise lines.error(f"Most lines after line {block.numbers[0]} end before their last column.")
     numbers = np.full((len(rows), len(columns)), np.nan)
     for i, row in enumerate(rows):
         width = len(row)
         cells = [row[column] if column < width else "" for column in columns]
         values = [to_float(cell, separator) for cell in cells]
         if None in values:
-            raise not_a_number(lines, i, cells[values.index(None)])
+            raise not_a_number(lines, block.numbers[i], cells[values.index(None)])
         numbers[i] = values
     return numbers

@@ -9,7 +9,7 @@ from mocapmend.files.formats.cells import not_a_number, read_rows, to_float
 from mocapmend.files.formats.columns import check_count, clean_label
 from mocapmend.files.formats.csv_header import LongColumns
 from mocapmend.files.formats.frames import Frames, MissingRule
-from mocapmend.files.formats.text import Lines
+from mocapmend.files.formats.text import Block, Lines
 
 SPARSEST = 8
 """Samples of the recording per line of the file, at most."""
@@ -52,13 +52,15 @@ def read_samples(
     samples = _Samples(columns)
     used = [i for i in (columns.frame, columns.time) if i is not None]
     width = max(columns.marker, columns.x, columns.y, columns.z, *used) + 1
-    for block in lines.blocks():
-        rows = read_rows(lines, [line for line in block if line.strip(f" {separator}")], separator)
+    for every in lines.blocks():
+        block = every.without_blank(separator)
+        rows = read_rows(lines, block, separator)
         if lines.cut and rows and len(rows[-1]) < width:
             warnings.append("The last line is cut off; it is left out.")
             del rows[-1]
-        if rows:
-            _add(samples, lines, rows, separator)
+        if not rows:
+            continue
+        _add(samples, lines, block, rows, separator)
         check_count(lines, len(samples.ids))
     if not samples.points:
         return Frames(np.empty(0), np.empty(0), np.empty((0, 0, 3))), ()
@@ -75,13 +77,15 @@ def read_samples(
     )
 
 
-def _add(samples: _Samples, lines: Lines, rows: list[list[str]], separator: str) -> None:
+def _add(
+    samples: _Samples, lines: Lines, block: Block, rows: list[list[str]], separator: str
+) -> None:
     columns = samples.columns
 
     def numbers(column: int | None) -> NDArray[np.float64]:
         if column is None:
             return np.full(len(rows), np.nan)
-        return _numbers(lines, _cells(rows, column), separator)
+        return _numbers(lines, block, _cells(rows, column), separator)
 
     names = _cells(rows, columns.marker)
     ids = samples.ids
@@ -99,14 +103,14 @@ def _cells(rows: list[list[str]], column: int) -> list[str]:
         return [row[column] if column < len(row) else "" for row in rows]
 
 
-def _numbers(lines: Lines, cells: list[str], separator: str) -> NDArray[np.float64]:
+def _numbers(lines: Lines, block: Block, cells: list[str], separator: str) -> NDArray[np.float64]:
     try:
         return np.array([float(cell) if cell else np.nan for cell in cells])
     except ValueError:
         values = [to_float(cell, separator) for cell in cells]
     if None in values:
         at = values.index(None)
-        raise not_a_number(lines, at, cells[at])
+        raise not_a_number(lines, block.numbers[at], cells[at])
     return np.array(values, float)
 
 

@@ -31,7 +31,9 @@ def export_labels(recording: Recording, notes: list[str]) -> tuple[str, ...]:
     )
     changed = sum(a != b for a, b in zip(labels, recording.labels, strict=True))
     if changed:
-        notes.append(f"{changed} labels have characters that the file cannot hold, or are empty.")
+        notes.append(
+            f"Labels that were empty or had characters that no file holds are changed: {changed}."
+        )
     return labels
 
 

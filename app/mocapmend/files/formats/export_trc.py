@@ -86,6 +86,6 @@ def _move_off_zero(points: NDArray[np.float64], notes: list[str]) -> None:
     if count:
         points[zero, 0] = NOT_ZERO
         notes.append(
-            f"{count} samples are exactly at (0, 0, 0), which means missing; their x is written as "
-            f"{NOT_ZERO:g}."
+            "Samples exactly at (0, 0, 0) would be missing to a reader; their x is written as "
+            f"{NOT_ZERO:g}: {count}."
         )

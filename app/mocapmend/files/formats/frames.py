@@ -78,11 +78,7 @@ class MissingRule:
             (self.incomplete, "without some of their coordinates"),
             (self.unusable, "impossibly far away"),
         )
-        return [
-            f"{count} samples are {what}; they are taken as missing."
-            for count, what in kinds
-            if count
-        ]
+        return [f"Samples {what} are taken as missing: {count}." for count, what in kinds if count]
 
 
 def read_frames(
@@ -123,15 +119,15 @@ def read_frames(
     used = [column + axis for column in columns.first for axis in range(3)]
     extra = [column for column in (columns.frame, columns.time) if column is not None]
     parts = []
-    for block in lines.blocks():
-        rows, ended = _rows(lines, block, to_blank=to_blank)
-        if lines.cut and _is_cut(rows[-1:], separator, max(used + extra)):
+    for every in lines.blocks():
+        block = every.to_blank() if to_blank else every.without_blank()
+        if lines.cut and _is_cut(block.lines[-1:], separator, max(used + extra)):
             warnings.append("The last line is cut off; it is left out.")
-            del rows[-1]
-        if rows:
-            table = read_numbers(lines, rows, extra + used, separator, quoted=quoted)
+            del block.lines[-1]
+        if block.lines:
+            table = read_numbers(lines, block, extra + used, separator, quoted=quoted)
             parts.append(_frames(table, columns, rule))
-        if ended:
+        if to_blank and len(block.lines) < len(every.lines):
             break
     if not parts:
         return Frames(np.empty(0), np.empty(0), np.empty((0, len(columns.first), 3)))
@@ -140,15 +136,6 @@ def read_frames(
         np.concatenate([part.times for part in parts]),
         np.concatenate([part.points for part in parts]),
     )
-
-
-def _rows(lines: Lines, block: list[str], *, to_blank: bool) -> tuple[list[str], bool]:
-    """Return the lines of a block that are not blank, and whether the table ends in it."""
-    # Tabs and other separators are cells.
-    blank = [not line.strip(" ") for line in block]
-    if to_blank and True in blank:
-        return block[: blank.index(True)], True
-    return [line for line, empty in zip(block, blank, strict=True) if not empty], False
 
 
 def _is_cut(last: list[str], separator: str | None, column: int) -> bool:

@@ -37,13 +37,11 @@ def parse_motive(lines: Lines) -> Source:
         raise _no_markers(lines, bodies)
     if expected:
         warnings.append(
-            f"{expected} of the {len(columns.first)} markers are where Motive expects markers "
-            "of bodies and bones, not where cameras saw them."
+            "Markers that are not measured, but where Motive expects them on a body or bone: "
+            f"{expected} of {len(columns.first)}."
         )
     if bodies:
-        warnings.append(
-            f"The poses of {len(bodies)} bodies and bones are left out: {_some(bodies)}."
-        )
+        warnings.append(f"The poses of bodies and bones are left out: {_some(bodies)}.")
     rule = MissingRule(zeros=True)
     frames = read_frames(lines, columns, ",", rule, warnings)
     warnings += rule.sentences()

@@ -109,7 +109,7 @@ def _columns(lines: Lines, header: _Header, warnings: list[str]) -> Columns:
     check_count(lines, len(labels))
     stated = header.number("NO_OF_MARKERS")
     if math.isfinite(stated) and stated != len(labels):
-        warnings.append(f"The header counts {stated:g} markers, but names {len(labels)}.")
+        warnings.append(f"There are {stated:g} markers by the header, but it names {len(labels)}.")
     cleaned = tuple(map(clean_label, labels))
     named = named_columns(header.names)
     if named is not None and len(named.first) == len(labels):

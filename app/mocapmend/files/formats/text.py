@@ -1,8 +1,9 @@
 """Text files of unknown encoding and size, read block by block."""
 
 import codecs
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from io import FileIO, IncrementalNewlineDecoder
 from pathlib import Path
 
@@ -13,6 +14,34 @@ BLOCK = 1 << 20
 """Bytes that are read at a time."""
 LONGEST_LINE = 4 << 20
 """Characters; 20,000 markers with 20 digits a number need less than 2 million."""
+
+
+@dataclass
+class Block:
+    """Some lines of a file.
+
+    Attributes
+    ----------
+    lines : list of str
+        Without their ends.
+    numbers : sequence of int
+        Of the lines in the file, from 1.
+    """
+
+    lines: list[str]
+    numbers: Sequence[int]
+
+    def to_blank(self) -> "Block":
+        """Return the lines before the first blank one."""
+        blank = next((i for i, line in enumerate(self.lines) if not line.strip(" ")), None)
+        return Block(self.lines[:blank], self.numbers[:blank])
+
+    def without_blank(self, separator: str = "") -> "Block":
+        """Return the lines with anything but spaces and the separator."""
+        kept = [i for i, line in enumerate(self.lines) if line.strip(f" {separator}")]
+        if len(kept) == len(self.lines):
+            return self
+        return Block([self.lines[i] for i in kept], [self.numbers[i] for i in kept])
 
 
 class Lines:
@@ -56,12 +85,12 @@ class Lines:
         del self._lines[:count]
         self.number += count
 
-    def blocks(self) -> Iterator[list[str]]:
-        """Yield all other lines in blocks; `number` is that of the first line of the block."""
+    def blocks(self) -> Iterator[Block]:
+        """Yield all other lines in blocks."""
         while self.peek(1):
-            block, self._lines = self._lines, []
-            yield block
-            self.number += len(block)
+            lines, self._lines = self._lines, []
+            first, self.number = self.number, self.number + len(lines)
+            yield Block(lines, range(first, self.number))
 
     def error(self, what: str, todo: str = ANOTHER_FILE) -> MocapmendError:
         """Return the error for what this file holds."""

@@ -124,12 +124,14 @@ def _columns(lines: Lines, header: _Header, separator: str | None, warnings: lis
     cells = split(row, separator, quoted=False)
     beyond = math.ceil((len(cells) - 2) / 3) - len(labels)
     if beyond > 0:
-        warnings.append(f"{beyond} markers have no label in the file.")
+        warnings.append(f"Markers without a label in the file: {beyond}.")
         labels += [""] * beyond
     check_count(lines, len(labels))
     stated = header.value("nummarkers")
     if math.isfinite(stated) and stated != len(labels):
-        warnings.append(f"The header counts {stated:g} markers, but {len(labels)} are there.")
+        warnings.append(
+            f"There are {stated:g} markers by the header, but {len(labels)} in the file."
+        )
     first = tuple(range(2, 2 + 3 * len(labels), 3))
     return Columns(tuple(map(clean_label, labels)), first, frame=0, time=1)
 
@@ -162,6 +164,6 @@ def _promised_frames(header: _Header, frames: int, warnings: list[str]) -> int:
         f"The file is truncated: it says that it holds {stated:g} frames, but only {frames} are "
         "there."
         if stated > frames
-        else f"The header counts {stated:g} frames, but {frames} are there."
+        else f"There are {stated:g} frames by the header, but {frames} in the file."
     )
     return int(stated)
