@@ -141,7 +141,7 @@ def _filled(text: str, separator: str | None) -> list[str]:
 
 
 def _cell_by_cell(
-    lines: Lines, block: list[str], columns: Sequence[int], separator: str | None, *, quoted: bool
+    lines: Lines, block: Block, columns: Sequence[int], separator: str | None, *, quoted: bool
 ) -> Numbers:
     rows = read_rows(lines, block, separator, quoted=quoted)
     if len(rows) * len(columns) > 4 * sum(map(len, rows)) + FREE_CELLS:

@@ -1,5 +1,6 @@
 """The arrays of an .npz file, checked before anything is allocated; nothing is unpickled."""
 
+import errno
 import re
 import struct
 import zlib
@@ -37,9 +38,9 @@ KINDS = "fiuUS"
 
 BROKEN = (
     BadZipFile, LargeZipFile, zlib.error, struct.error, EOFError, ValueError, TypeError,
-    NotImplementedError, RuntimeError, OverflowError,
+    NotImplementedError, RuntimeError, OverflowError, OSError,
 )  # fmt: skip
-"""What the standard library raises for damaged archives."""
+"""What the standard library raises for damaged archives, and what the system does."""
 
 
 class ZipArrays:
@@ -64,9 +65,7 @@ class ZipArrays:
             _check_directory(stream)
             self._zip = ZipFile(stream)
         except BROKEN as error:
-            raise self._error("This is not an .npz file, or it is damaged.") from error
-        except OSError as error:
-            raise cannot_read(str(path), error) from error
+            raise self._broken("This is not an .npz file, or it is damaged.", error) from error
         # A name that leads elsewhere is only a name: nothing is written to the disk.
         self._members = {info.filename: info for info in self._zip.infolist()}
 
@@ -94,9 +93,7 @@ class ZipArrays:
         try:
             return self._array(name, info)
         except BROKEN as error:
-            raise self._error(f"The array “{name}” is damaged.") from error
-        except OSError as error:
-            raise cannot_read(str(self._path), error) from error
+            raise self._broken(f"The array “{name}” is damaged.", error) from error
 
     def _array(self, name: str, info: ZipInfo) -> NDArray[Any]:
         with self._zip.open(info) as member:
@@ -120,6 +117,12 @@ class ZipArrays:
         order: Literal["F", "C"] = "F" if header[2] == b"True" else "C"
         array: NDArray[Any] = np.ndarray(shape, dtype, buffer=raw, order=order)
         return array
+
+    def _broken(self, what: str, error: Exception) -> MocapmendError:
+        # Offsets that are wrong are invalid arguments to the system.
+        if isinstance(error, OSError) and error.errno != errno.EINVAL:
+            return cannot_read(str(self._path), error)
+        return self._error(what)
 
     def _error(self, what: str) -> MocapmendError:
         return MocapmendError(what, str(self._path), ANOTHER_FILE)
