@@ -20,8 +20,8 @@ from mocapmend.files import (
     Source,
     check_files,
     confirm_with_c3d,
-    read_recording,
     patches,
+    read_recording,
     save_patched,
     write_recording,
 )
@@ -31,7 +31,6 @@ from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_from_distances
 from mocapmend_resources import skeletons
-
 
 READ_BACK = "The file was read back: all samples are as they should be."
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mocapmend.cli import check, common
+from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.engine import Exported
 from mocapmend.files import Source
@@ -62,7 +62,7 @@ class Outcome:
 
     def as_json(self, files: Mapping[str, Path | None], *, samples: bool) -> dict[str, Any]:
         """Return the document's content."""
-        recording, proof = self.source.recording, self.exported.check
+        recording = self.source.recording
         missing = int(np.count_nonzero(~recording.present))
         filled = sum(row.gap.length for row in self.repairs)
         return {
@@ -86,7 +86,6 @@ class Outcome:
                 "samples_missing_after": missing - filled,
             },
             **common.written(self.exported),
-            "check": check.as_json(proof),
         }
 
     def _gaps(self, *, samples: bool) -> list[dict[str, Any]]:

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from mocapmend import engine, recipe
-from mocapmend.cli import check, common, target
+from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
 from mocapmend.files import read_recording
 from mocapmend.files.sidecar import hash_file
@@ -47,7 +47,6 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         filled=len(made.fills),
         reopened=len(made.reopened),
         **common.written(exported),
-        check=check.as_json(exported.check),
     )
     console.say(f"Replayed: {out}")
     console.say(

@@ -7,6 +7,7 @@ import numpy as np
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_numbers import decode_floats
 from mocapmend.files.c3d_parameters import decode_text
+from mocapmend.files.labels import complete_labels
 from mocapmend.files.source import Event
 
 MODEL_GROUPS = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS")
@@ -16,22 +17,7 @@ HEADER_EVENTS = 18
 
 def point_labels(layout: Layout, warnings: list[str]) -> tuple[str, ...]:
     """Return one label per stored point, "point N" where the file has none."""
-    stated = layout.parameters.texts("POINT:LABELS")[: layout.points]
-    labels = tuple(text or f"point {i}" for i, text in enumerate(stated, 1))
-    if len(stated) < layout.points:
-        warnings.append(
-            f"The file names {len(stated)} of its {layout.points} points; the others are "
-            "called by their number."
-        )
-        labels += tuple(f"point {i}" for i in range(len(stated) + 1, layout.points + 1))
-    repeated = len(labels) - len(set(labels))
-    if repeated:
-        warnings.append(
-            "1 point has the label of another point."
-            if repeated == 1
-            else f"{repeated} points have the label of another point."
-        )
-    return labels
+    return complete_labels(layout.parameters.texts("POINT:LABELS"), layout.points, warnings)
 
 
 def model_points(layout: Layout, labels: tuple[str, ...]) -> frozenset[int]:

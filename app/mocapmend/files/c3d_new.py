@@ -25,9 +25,10 @@ from mocapmend.files.c3d_samples import (
     unmarked_missing,
 )
 from mocapmend.files.c3d_section import LARGEST_WORD, MOST_BLOCKS, float_header, parameter_section
-from mocapmend.files.c3d_space import length_unit, up_axis
+from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import open_file
 from mocapmend.files.source import Event
+from mocapmend.files.space import length_unit
 from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
@@ -229,7 +230,7 @@ def _comparisons(
     """Yield what is compared, and whether it is as it should be."""
     ignored: list[str] = []
     labels = point_labels(layout, ignored)
-    unit = length_unit(recording.points, layout.parameters, ignored)
+    unit = length_unit(recording.points, layout.parameters.text("POINT:UNITS"), ignored)
     up = up_axis(recording.points, layout.parameters, ignored)
     shape = (layout.frames, layout.points, layout.channels, layout.is_float)
     yield "its size", shape == (recording.frames, recording.markers, 0, True)

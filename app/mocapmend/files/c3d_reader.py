@@ -29,11 +29,12 @@ from mocapmend.files.c3d_samples import (
     residual_steps,
     unmarked_missing,
 )
-from mocapmend.files.c3d_space import length_unit, up_axis
+from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
+from mocapmend.files.space import length_unit
 from mocapmend_algorithms.recording import Recording
 
 
@@ -130,7 +131,7 @@ def read_c3d(path: Path) -> C3DFile:
             points,
             tuple(labels[i] for i in markers),
             layout.rate,
-            unit=length_unit(points, layout.parameters, warnings),
+            unit=length_unit(points, layout.parameters.text("POINT:UNITS"), warnings),
             up=up_axis(points, layout.parameters, warnings),
             first_frame=layout.first_frame,
         ),

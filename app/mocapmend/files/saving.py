@@ -44,9 +44,7 @@ class Saved:
         return (*(places[key] for key in places if key == self.record), *self.notes)
 
 
-def check_place(
-    source: Source, out: Path, *, replace_source: bool, accept_truncated: bool
-) -> None:
+def check_place(source: Source, out: Path, *, replace_source: bool, accept_truncated: bool) -> None:
     """Refuse to save where the user would have to say first that it is meant.
 
     Raises

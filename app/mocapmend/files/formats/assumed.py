@@ -5,9 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.files.c3d_space import FEWEST_MARKERS
-from mocapmend.files.c3d_space import _guess_up as guess_up
 from mocapmend.files.formats.kinematics import Joint, bones_of
+from mocapmend.files.space import FEWEST_MARKERS, guess_up
 from mocapmend_algorithms.recording import UpAxis
 
 RATE = 120.0

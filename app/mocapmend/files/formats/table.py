@@ -7,6 +7,9 @@ from pathlib import Path
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.formats.amc import read_amc
 from mocapmend.files.formats.bvh import read_bvh
+from mocapmend.files.formats.delimited import read_delimited
+from mocapmend.files.formats.npz import read_npz
+from mocapmend.files.formats.trc import read_trc
 from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
 
@@ -32,8 +35,11 @@ class Format:
 
 FORMATS: tuple[Format, ...] = (
     Format("C3D", (".c3d",), read_c3d),
+    Format("TRC", (".trc",), read_trc),
+    Format("CSV, Qualisys, Motive, Nexus", (".csv", ".tsv", ".txt"), read_delimited),
     Format("BVH", (".bvh",), read_bvh),
     Format("Acclaim ASF/AMC", (".amc", ".asf"), read_amc),
+    Format("NumPy", (".npz",), read_npz),
 )
 
 
