@@ -51,11 +51,21 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "export",
         "File",
-        QT_TRANSLATE_NOOP("Actions", "Export repaired C3D…"),
+        QT_TRANSLATE_NOOP("Actions", "Export repaired recording…"),
         (_Key.Save,),
         "document",
     ),
     ActionSpec("save_report", "File", QT_TRANSLATE_NOOP("Actions", "Save report…"), ("Ctrl+R",)),
+    ActionSpec(
+        "check_copy",
+        "File",
+        QT_TRANSLATE_NOOP("Actions", "Check a repaired copy…"),
+        ("Ctrl+K",),
+        "document",
+        starts_group=True,
+    ),
+    ActionSpec("save_recipe", "File", QT_TRANSLATE_NOOP("Actions", "Save recipe…")),
+    ActionSpec("replay_recipe", "File", QT_TRANSLATE_NOOP("Actions", "Replay recipe…")),
     ActionSpec(
         "close", "File", QT_TRANSLATE_NOOP("Actions", "Close file"), (_Key.Close,), "document"
     ),

@@ -240,6 +240,19 @@ def export(
     return Exported(saved, *proofs[0])
 
 
+def check(original: Path, repaired: Path, progress: Progress) -> CheckReport:
+    """Compare two files; see `check_files`.
+
+    Raises
+    ------
+    MocapmendError
+        If one of them cannot be read or the original is not a C3D file.
+    """
+    found = check_files(original, repaired)
+    progress(1.0)
+    return found
+
+
 def write_report(
     before: Recording,
     after: Recording,

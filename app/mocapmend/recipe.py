@@ -26,9 +26,9 @@ from mocapmend.files.provenance import (
     records,
 )
 from mocapmend.files.sidecar import hash_file
-from mocapmend_algorithms import Gap, Progress, find_gaps
+from mocapmend_algorithms import Gap, Progress, Recording, find_gaps
 from mocapmend_algorithms.fill import registry
-from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.fill.contract import FillResult
 
 KEY = "mocapmend_recipe"
 MOST_BYTES = 200_000_000
@@ -109,6 +109,97 @@ def read_recipe(path: Path) -> Recipe:
         raise _no_recipe(path, str(error)) from None
 
 
+@dataclass(frozen=True)
+class FillJob:
+    """Gaps that one method fills with the same parameters."""
+
+    method: str
+    params: Any
+    gaps: tuple[Gap, ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A recipe for one file.
+
+    Attributes
+    ----------
+    reopened : tuple of Gap
+        Repairs that are turned back into gaps.
+    jobs : tuple of FillJob
+        What is filled.
+    """
+
+    reopened: tuple[Gap, ...]
+    jobs: tuple[FillJob, ...]
+
+
+def plan(source: Source, recipe: Recipe) -> Plan:
+    """Find the gaps of a recipe in a file.
+
+    Raises
+    ------
+    MocapmendError
+        If an edit does not fit the file, or its method is not known.
+    """
+    gaps = set(find_gaps(source.measured.present))
+    reopened = tuple(_gap_of(source, item, source.repaired) for item in recipe.reopened)
+    jobs: dict[str, list[RepairRecord]] = {}
+    for item in recipe.fills:
+        alike = json.dumps([item.method, item.parameters], sort_keys=True)
+        jobs.setdefault(alike, []).append(item)
+    return Plan(
+        reopened,
+        tuple(
+            FillJob(
+                *_method(source, items[0]), tuple(_gap_of(source, item, gaps) for item in items)
+            )
+            for items in jobs.values()
+        ),
+    )
+
+
+def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> list[FillResult]:
+    """Fill the gaps of a plan, all of them.
+
+    Parameters
+    ----------
+    recording : Recording
+        The measured samples.
+    jobs : sequence of FillJob
+        What to fill.
+    progress : Progress
+        Called often; may cancel.
+
+    Returns
+    -------
+    list of FillResult
+        One per job.
+
+    Raises
+    ------
+    MocapmendError
+        If a method leaves one of its gaps open.
+    """
+    results = []
+    for number, job in enumerate(jobs):
+        share = number / len(jobs)
+        result = registry.method(job.method).function(
+            recording,
+            job.gaps,
+            job.params,
+            lambda done, share=share: progress(share + done / len(jobs)),
+        )
+        if result.unfilled:
+            left = result.unfilled[0]
+            raise MocapmendError(
+                f"A gap of {recording.labels[left.gap.marker]} cannot be filled: {left.reason}.",
+                todo="The recipe was made for another recording, or by another version.",
+            )
+        results.append(result)
+    return results
+
+
 def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     """Make the edits of a recipe in a file.
 
@@ -131,40 +222,17 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     MocapmendError
         If an edit does not fit the file, or cannot be made.
     """
-    recording = source.measured
-    gaps = set(find_gaps(recording.present))
+    planned = plan(source, recipe)
+    results = fill(source.measured, planned.jobs, progress)
     kept = dict(zip(source.repaired, source.repairs, strict=True))
-    values: dict[Gap, Patch | None] = {}
-    for item in recipe.reopened:
-        gap = _gap_of(source, item, kept)
-        del kept[gap]
-        values[gap] = None
-    jobs: dict[str, list[tuple[Gap, RepairRecord]]] = {}
-    for item in recipe.fills:
-        jobs.setdefault(_job(item), []).append((_gap_of(source, item, gaps), item))
-    for number, job in enumerate(jobs.values()):
-        share = number / len(jobs)
-        method, params = _method(source, job[0][1])
-        result = method.function(
-            recording,
-            [gap for gap, _ in job],
-            params,
-            lambda done, share=share: progress(share + done / len(jobs)),
-        )
-        if result.unfilled:
-            raise MocapmendError(
-                f"A gap of {recording.labels[result.unfilled[0].gap.marker]} cannot be filled: "
-                f"{result.unfilled[0].reason}.",
-                str(source.path),
-                "The recipe was made for another recording, or by another version.",
-            )
+    values = {gap: _missing(gap) for gap in planned.reopened}
+    for gap in planned.reopened:
+        kept.pop(gap, None)
+    for job, result in zip(planned.jobs, results, strict=True):
         for patch in result.patches:
-            values[patch.gap] = patch
-            kept[patch.gap] = record(source, patch, method.id, params)
-    runs = [
-        SampleRun(gap.marker, gap.start, _missing(gap) if patch is None else patch.values)
-        for gap, patch in sorted(values.items(), key=lambda pair: pair[0])
-    ]
+            values[patch.gap] = patch.values
+            kept[patch.gap] = record(source, patch, job.method, job.params)
+    runs = [SampleRun(gap.marker, gap.start, values[gap]) for gap in sorted(values)]
     return Changes(tuple(runs), tuple(kept[gap] for gap in sorted(kept)))
 
 
@@ -204,21 +272,16 @@ def _gap_of(source: Source, item: RepairRecord, gaps: Container[Gap]) -> Gap:
     return gap
 
 
-def _method(source: Source, item: RepairRecord) -> tuple[registry.Method, Any]:
+def _method(source: Source, item: RepairRecord) -> tuple[str, Any]:
     try:
         method = registry.method(item.method)
-        return method, registry.restore_params(method, item.parameters)
+        return method.id, registry.restore_params(method, item.parameters)
     except (KeyError, ValueError) as error:
         raise MocapmendError(
             f"The recipe cannot be replayed: {error.args[0]}.",
             str(source.path),
             "Use the version of the program that the recipe names.",
         ) from None
-
-
-def _job(item: RepairRecord) -> str:
-    """Return what fills must have in common to be computed together."""
-    return json.dumps([item.method, item.parameters], sort_keys=True)
 
 
 def _does_not_fit(source: Source, why: str) -> MocapmendError:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from mocapmend.document import Document
@@ -13,6 +14,17 @@ from mocapmend.jobs import Jobs
 from mocapmend.settings import Settings
 from mocapmend.views.main_window import MainWindow
 from mocapmend_algorithms import no_progress
+
+
+@pytest.fixture(autouse=True)
+def _no_file_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fail where a test would wait for ever for somebody to choose a file."""
+
+    def refuse(*_: object) -> tuple[str, str]:
+        raise AssertionError("a file dialog was opened, and the test has no answer for it")
+
+    for name in ("getOpenFileName", "getSaveFileName"):
+        monkeypatch.setattr(QFileDialog, name, refuse)
 
 
 @pytest.fixture

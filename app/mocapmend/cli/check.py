@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
                 (
                     run.label,
                     common.span(run.first_frame, run.last_frame),
-                    str(run.last_frame - run.first_frame + 1),
+                    str(run.frames),
                 )
                 for run in found.changed
             ],

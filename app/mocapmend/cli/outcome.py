@@ -129,9 +129,10 @@ class Outcome:
         console.say(f"Method:   {self._method_text()}")
         console.say(f"Limits:   {self._limits_text()}")
         total = len(self.repairs) + len(self.result.unfilled)
+        filled = sum(row.gap.length for row in self.repairs)
         console.say(
             f"Filled:   {len(self.repairs)} of {common.count(total, 'gap')}, "
-            f"{common.count(saved.samples, 'sample')}{self._worst()}"
+            f"{common.count(filled, 'sample')}{self._worst()}"
         )
         for note in self.exported.sentences:
             console.say(note)

@@ -8,15 +8,17 @@ from mocapmend.files.c3d_new import write_new_c3d
 from mocapmend.files.c3d_patch import save_patched
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
-from mocapmend.files.formats import read_recording
+from mocapmend.files.formats import FORMATS, read_recording
 from mocapmend.files.opening import Stamp
 from mocapmend.files.provenance import Provenance, RepairRecord
 from mocapmend.files.saving import Saved
 from mocapmend.files.second_reader import confirm_with_c3d
 from mocapmend.files.source import Event, Source
-from mocapmend.files.writing import WRITTEN, patches, write_recording
+from mocapmend.files.writing import LONG_CSV, WRITTEN, patches, write_recording
 
 __all__ = [
+    "FORMATS",
+    "LONG_CSV",
     "WRITTEN",
     "C3DFile",
     "ChangedRun",

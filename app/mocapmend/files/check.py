@@ -39,6 +39,11 @@ class ChangedRun:
     first_frame: int
     last_frame: int
 
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return self.last_frame - self.first_frame + 1
+
 
 @dataclass(frozen=True)
 class CheckReport:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from mocapmend.views.file_actions import FileActions
+    from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
 
 FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
@@ -12,6 +13,13 @@ FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
     "export": lambda f: f.ask_and_export(),
     "save_report": lambda f: f.ask_and_save_report(),
     "close": lambda f: f.close(),
+}
+"""By action id."""
+
+PROOF_COMMANDS: "dict[str, Callable[[ProofActions], object]]" = {
+    "save_recipe": lambda p: p.ask_and_save_recipe(),
+    "replay_recipe": lambda p: p.ask_and_replay(),
+    "check_copy": lambda p: p.ask_and_check(),
 }
 """By action id."""
 

@@ -72,7 +72,7 @@ def shortcuts_dialog(parent: QWidget, actions: Mapping[str, QAction]) -> QDialog
         translate("Dialogs", "Action"),
         translate("Dialogs", "Keys"),
     )
-    dialog = _table_dialog(parent, translate("Dialogs", "Keyboard shortcuts"), headers, rows)
+    dialog = table_dialog(parent, translate("Dialogs", "Keyboard shortcuts"), headers, rows)
     hint = QLabel(
         translate(
             "Dialogs",
@@ -112,7 +112,7 @@ def left_open_dialog(
         translate("Dialogs", "Frames"),
         translate("Dialogs", "Why it stayed open"),
     )
-    dialog = _table_dialog(parent, translate("Dialogs", "Gaps that stayed open"), headers, rows)
+    dialog = table_dialog(parent, translate("Dialogs", "Gaps that stayed open"), headers, rows)
     dialog.setModal(False)
     table = dialog.findChild(QTableWidget)
     assert table is not None
@@ -121,9 +121,10 @@ def left_open_dialog(
     return dialog
 
 
-def _table_dialog(
+def table_dialog(
     parent: QWidget, title: str, headers: Sequence[str], rows: Sequence[Sequence[str]]
 ) -> QDialog:
+    """Make a dialog that shows a table."""
     dialog = QDialog(parent)
     dialog.setWindowTitle(title)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

@@ -1,6 +1,6 @@
 """Opening, exporting and closing: what the user is asked, and the jobs that follow."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from mocapmend import engine
 from mocapmend.document import Document
-from mocapmend.files import Source, same_file
+from mocapmend.files import FORMATS, LONG_CSV, WRITTEN, Source, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend.views.samples import is_sample
@@ -49,7 +49,7 @@ class FileActions(QObject):
             self._window,
             self.tr("Open recording"),
             self._window.settings.get(LAST_FOLDER),
-            self.tr("C3D recordings (*.c3d *.C3D);;All files (*)"),
+            ";;".join((self._all_kinds(), *self._kinds(), self.tr("All files (*)"))),
         )
         if path:
             self.open(Path(path))
@@ -79,10 +79,19 @@ class FileActions(QObject):
         if self._window.workspace is None:
             return
         source = self._window.workspace.document.source
-        path = self._ask_where(
+        suffix = source.path.suffix
+        own = suffix.lower() if suffix.lower() in WRITTEN else ".c3d"
+        kinds = {
+            self.tr("C3D (*.c3d)"): ".c3d",
+            self.tr("TRC (*.trc)"): ".trc",
+            self.tr("CSV, one line per frame (*.csv)"): ".csv",
+            self.tr("CSV, one line per sample (*.long.csv)"): LONG_CSV,
+            self.tr("NumPy (*.npz)"): ".npz",
+        }
+        path = self.ask_where(
             self.tr("Export repaired recording"),
-            f"{source.path.stem}_repaired{source.path.suffix}",
-            self.tr("C3D recordings (*.c3d)"),
+            f"{source.path.stem}_repaired{suffix if own == suffix.lower() else own}",
+            kinds,
         )
         if path is not None:
             self.export(path, then)
@@ -99,7 +108,7 @@ class FileActions(QObject):
             self.tr("The file ends before its data do. The copy will be as short as the original."),
         ):
             return
-        job = self._write(
+        job = self.write(
             self.tr("Exporting {0}").format(path.name),
             engine.export,
             document.source,
@@ -117,12 +126,12 @@ class FileActions(QObject):
         if workspace is None:
             return
         stem = workspace.document.source.path.stem
-        path = self._ask_where(
-            self.tr("Save report"), f"{stem}_report.html", self.tr("HTML (*.html)")
+        path = self.ask_where(
+            self.tr("Save report"), f"{stem}_report.html", {self.tr("HTML (*.html)"): ".html"}
         )
         if path is None:
             return
-        job = self._write(
+        job = self.write(
             self.tr("Writing the report"),
             engine.write_report,
             *workspace.report_inputs(),
@@ -152,25 +161,40 @@ class FileActions(QObject):
         elif answer == buttons.Discard:
             then()
 
-    def _ask_where(self, title: str, name: str, kinds: str) -> Path | None:
+    def ask_where(self, title: str, name: str, kinds: Mapping[str, str]) -> Path | None:
         """Ask for the name of a new file, beside the recording unless that ships with us."""
         assert self._window.workspace is not None
         folder = self._window.workspace.document.source.path.parent
         if is_sample(self._window.workspace.document.source.path):
             folder = Path.home()
-        text, _ = QFileDialog.getSaveFileName(self._window, title, str(folder / name), kinds)
+        first = next((k for k, end in kinds.items() if name.lower().endswith(end)), "")
+        text, kind = QFileDialog.getSaveFileName(
+            self._window, title, str(folder / name), ";;".join(kinds), first
+        )
         if not text:
             return None
         path = Path(text)
-        if path.suffix:
+        # A kind that was chosen, but is not in the name, is what the user wants.
+        end = kinds.get(kind, Path(name).suffix)
+        meant = kind != first and path.name == name
+        if path.suffix and not meant:
             return path
-        path = path.with_suffix(Path(name).suffix)
+        path = path.with_suffix(end)
         replaces = self.tr("Replace {0}?").format(path.name)
         if path.exists() and not self._confirm(replaces, self.tr("There is a file of this name.")):
             return None
         return path
 
-    def _write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
+    def _all_kinds(self) -> str:
+        every = " ".join(f"*{end}" for item in FORMATS for end in item.suffixes)
+        return self.tr("Recordings ({0})").format(every)
+
+    def _kinds(self) -> Iterator[str]:
+        for item in FORMATS:
+            yield f"{item.label} ({' '.join(f'*{end}' for end in item.suffixes)})"
+
+    def write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
+        """Write a file in the background; the window stays open until it is there."""
         job = self._window.jobs.read_or_write(title, function, *args)
         self._writing.append(job)
         job.ended.connect(lambda: self._writing.remove(job))
@@ -194,9 +218,18 @@ class FileActions(QObject):
         if not is_sample(path):
             self._window.settings.set(LAST_FOLDER, str(path.parent))
         opened = self.tr("Opened {0}")
+        if source.repaired:
+            opened = self.tr("Opened {0}, in which {3} gaps have been repaired before")
         if source.truncated:
             opened = self.tr("Opened {0}, which is truncated: {1} of {2} frames are there")
-        self._window.say(opened.format(path.name, source.recording.frames, source.frames_promised))
+        self._window.say(
+            opened.format(
+                path.name,
+                source.recording.frames,
+                source.frames_promised,
+                len(source.repaired),
+            )
+        )
 
     def _exported(
         self,
@@ -214,11 +247,10 @@ class FileActions(QObject):
                 workspace.saved_as(exported)
             if then is None and same_file(path, document.source.path):
                 self.open(path)
-        self._window.say(
-            self.tr("Exported {0} to {1}: {2} samples repaired, all else is the same.").format(
-                path.name, path.parent, exported.saved.samples
-            )
-        )
+        text = self.tr("Exported {0} to {1}: {2} samples repaired, read back and compared.")
+        if exported.check is not None:
+            text = self.tr("Exported {0} to {1}: {2} samples repaired, all else is the same.")
+        self._window.say(text.format(path.name, path.parent, exported.saved.samples))
         if then is not None:
             # Asks again if there were edits in the meantime.
             self.after_saving(then)

@@ -35,7 +35,7 @@ from mocapmend.settings import (
     Settings,
 )
 from mocapmend.theme import DARK, LIGHT, THEMES, Theme
-from mocapmend.views.action_calls import COMMANDS, FILE_COMMANDS, SWITCHES
+from mocapmend.views.action_calls import COMMANDS, FILE_COMMANDS, PROOF_COMMANDS, SWITCHES
 from mocapmend.views.dialogs import environment, error_box, shortcuts_dialog
 from mocapmend.views.icons import icon, program_icon
 from mocapmend.views.job_indicator import JobIndicator
@@ -48,6 +48,7 @@ from mocapmend.views.welcome import Welcome
 if TYPE_CHECKING:
     from mocapmend.files import Source
     from mocapmend.views.file_actions import FileActions
+    from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
     from mocapmend_algorithms.skeleton import Skeleton
 
@@ -107,6 +108,13 @@ class MainWindow(QMainWindow):
         from mocapmend.views.file_actions import FileActions
 
         return FileActions(self)
+
+    @cached_property
+    def proofs(self) -> "ProofActions":
+        """Recipes and checks; loaded when they are first needed."""
+        from mocapmend.views.proof_actions import ProofActions
+
+        return ProofActions(self)
 
     def get_ready(self) -> None:
         """Load and start what the first recording needs, once the user sees the window."""
@@ -169,6 +177,10 @@ class MainWindow(QMainWindow):
             self.actions_by_id[name].triggered.connect(lambda _=False, call=call: call())
         for name, do in FILE_COMMANDS.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, do=do: do(self.files))
+        for name, prove in PROOF_COMMANDS.items():
+            self.actions_by_id[name].triggered.connect(
+                lambda _=False, prove=prove: prove(self.proofs)
+            )
         for name, use in COMMANDS.items():
             self.actions_by_id[name].triggered.connect(lambda _=False, use=use: self._with(use))
         for name, switch in SWITCHES.items():

@@ -46,7 +46,9 @@ class Welcome(QWidget):
         head.addSpacing(8)
         head.addWidget(title)
         head.addStretch(1)
-        hint = QLabel(self.tr("Open a C3D recording, or drop one here."))
+        hint = QLabel(
+            self.tr("Open a recording (C3D, TRC, CSV, BVH, ASF/AMC, npz), or drop one here.")
+        )
         hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         button = QPushButton(self.tr("Open…"))
         button.setMinimumWidth(160)

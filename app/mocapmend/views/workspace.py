@@ -148,7 +148,7 @@ class Workspace(QMainWindow):
             return
         edit = Edit.fill(preview.patch, preview.method, preview.params)
         label = self.document.names[preview.gap.marker]
-        self._push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
+        self.push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
 
     def apply_and_go_on(self) -> None:
         """Apply the previewed repair and go to the next gap."""
@@ -162,7 +162,7 @@ class Workspace(QMainWindow):
         gap = self.view.gap
         if gap is not None and gap in self.document.repairs:
             label = self.document.names[gap.marker]
-            self._push([Edit.clear(gap)], self.tr("clear the repair of {0}").format(label))
+            self.push([Edit.clear(gap)], self.tr("clear the repair of {0}").format(label))
         else:
             self.message.emit(self.tr("There is no repair here."))
 
@@ -205,7 +205,7 @@ class Workspace(QMainWindow):
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
             edits = [Edit.fill(patch, method, params) for patch in result.patches]
-            self._push(edits, self.tr("fill {0} gaps ({1})").format(filled, method))
+            self.push(edits, self.tr("fill {0} gaps ({1})").format(filled, method))
         text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
         self.repair.show_outcome(text, open_gaps=bool(left))
         self.message.emit(text)
@@ -216,7 +216,8 @@ class Workspace(QMainWindow):
     def _show_left_open(self) -> None:
         left_open_dialog(self, self.document.original, self._left_open, self.view.go_to).show()
 
-    def _push(self, edits: list[Edit], text: str) -> None:
+    def push(self, edits: list[Edit], text: str) -> None:
+        """Make edits, in one undoable step."""
         self.document.undo_stack.push(EditSamples(self.document, edits, text))
 
     def _show_first_gap(self) -> None:

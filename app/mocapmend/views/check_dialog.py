@@ -1,0 +1,64 @@
+"""What a comparison of two files found, for the user."""
+
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
+
+from mocapmend.files import CheckReport
+from mocapmend.views.dialogs import table_dialog
+
+translate = QCoreApplication.translate
+MOST_LISTED = 12
+
+
+def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckReport) -> QDialog:
+    """Make the dialog: the finding, what may differ, what may not, and the changed samples."""
+    rows = [
+        (
+            run.label,
+            *map(str, (run.first_frame, run.last_frame, 1 + run.last_frame - run.first_frame)),
+        )
+        for run in found.changed
+    ]
+    headers = (
+        translate("Check", "Changed marker"),
+        translate("Check", "First frame"),
+        translate("Check", "Last frame"),
+        translate("Check", "Frames"),
+    )
+    title = translate("Check", "Check of {0}").format(repaired.name)
+    dialog = table_dialog(parent, title, headers, rows)
+    dialog.setModal(False)
+    verdict = QLabel(_verdict(original, repaired, found))
+    verdict.setTextFormat(Qt.TextFormat.RichText)
+    verdict.setWordWrap(True)
+    verdict.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    layout = dialog.layout()
+    assert isinstance(layout, QVBoxLayout)
+    layout.insertWidget(0, verdict)
+    return dialog
+
+
+def _verdict(original: Path, repaired: Path, found: CheckReport) -> str:
+    mark = "✔" if found.passed else "✘"
+    parts = [
+        f"<b>{mark} {escape(found.sentence)}</b>",
+        translate("Check", "Original: {0}<br>Copy: {1}").format(
+            escape(str(original)), escape(str(repaired))
+        ),
+        _list(translate("Check", "These differences are allowed:"), found.allowed),
+        _list(translate("Check", "These are not:"), found.other_differences),
+    ]
+    return "".join(f"<p>{part}</p>" for part in parts if part)
+
+
+def _list(title: str, sentences: Sequence[str]) -> str:
+    if not sentences:
+        return ""
+    shown = [f"• {escape(sentence)}" for sentence in sentences[:MOST_LISTED]]
+    if len(sentences) > MOST_LISTED:
+        shown.append(translate("Check", "and {0} more").format(len(sentences) - MOST_LISTED))
+    return f"{title}<br>" + "<br>".join(shown)
