@@ -46,7 +46,7 @@ def write_atomically(
     finally:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
-    _sync_folder(target.parent)
+    sync_folder(target.parent)
 
 
 def same_file(first: Path, second: Path) -> bool:
@@ -55,6 +55,16 @@ def same_file(first: Path, second: Path) -> bool:
         return first.samefile(second)
     except OSError:
         return os.path.realpath(first) == os.path.realpath(second)
+
+
+def sync_folder(folder: Path) -> None:
+    """Bring the new names in a folder to the disk, where the system knows how to do that."""
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
 
 
 def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], None]) -> None:
@@ -67,16 +77,6 @@ def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], No
         write(stream)
         stream.flush()
         os.fsync(stream.fileno())
-
-
-def _sync_folder(folder: Path) -> None:
-    """Bring the new name to the disk, where the system knows how to do that."""
-    with suppress(OSError):
-        descriptor = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
 
 
 def _cannot_write(target: Path, error: OSError) -> MocapmendError:

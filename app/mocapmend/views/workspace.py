@@ -11,6 +11,7 @@ from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.jobs import Job, Jobs
+from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order, neighbour
 from mocapmend.report import About
 from mocapmend.settings import LAYOUT, Settings
@@ -61,6 +62,7 @@ class Workspace(QMainWindow):
         document.setParent(self)
         self._jobs = jobs
         self._settings = settings
+        self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
         original = document.original
         self.view = ViewState(original.frames, self)
         self.player = Player(self.view, original.rate, self)
@@ -82,6 +84,8 @@ class Workspace(QMainWindow):
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.previewer.choose(*self.repair.method())
         document.undo_stack.indexChanged.connect(self._forget_outcome)
+        document.undo_stack.indexChanged.connect(self.recorder.move)
+        document.undo_stack.cleanChanged.connect(self._record_clean)
         for part in (self.previewer, self.report):
             part.failed.connect(self.failed)
         self._show_first_gap()
@@ -96,6 +100,7 @@ class Workspace(QMainWindow):
         self.player.pause()
         self.previewer.stop()
         self.report.stop()
+        self.recorder.discard()
         if self._filling is not None:
             self._filling.abandon()
 
@@ -215,7 +220,13 @@ class Workspace(QMainWindow):
         left_open_dialog(self, self.document.original, self._left_open, self.view.go_to).show()
 
     def _push(self, edits: list[Edit], text: str) -> None:
-        self.document.undo_stack.push(EditSamples(self.document, edits, text))
+        command = EditSamples(self.document, edits, text)
+        self.recorder.push(text, edits)
+        self.document.undo_stack.push(command)
+
+    def _record_clean(self, clean: bool) -> None:  # noqa: FBT001 - a slot of cleanChanged(bool)
+        if clean:
+            self.recorder.export(self.document.undo_stack.cleanIndex())
 
     def _show_first_gap(self) -> None:
         """Begin at the longest gap within the limit, with the whole recording in view."""
