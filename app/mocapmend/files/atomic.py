@@ -3,12 +3,16 @@
 import errno
 import os
 import secrets
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
 from mocapmend.errors import MocapmendError
+
+TEMPORARY = ".mocapmend-{}.tmp"
+REMNANT_AGE_S = 24 * 3600.0
 
 
 def write_atomically(
@@ -32,7 +36,8 @@ def write_atomically(
         left behind and a file that was there is untouched.
     """
     target = Path(os.path.realpath(target))
-    temporary = target.with_name(f".mocapmend-{secrets.token_hex(8)}.tmp")
+    temporary = target.with_name(TEMPORARY.format(secrets.token_hex(8)))
+    _remove_remnants(target.parent)
     try:
         if target.exists() and not target.is_file():
             raise MocapmendError(
@@ -65,6 +70,15 @@ def sync_folder(folder: Path) -> None:
             os.fsync(descriptor)
         finally:
             os.close(descriptor)
+
+
+def _remove_remnants(folder: Path) -> None:
+    """Delete what killed saves have left in a folder; no save that goes on is a day old."""
+    with suppress(OSError):
+        for path in folder.glob(TEMPORARY.format("[0-9a-f]" * 16)):
+            with suppress(OSError):
+                if time.time() - path.lstat().st_mtime > REMNANT_AGE_S:
+                    path.unlink()
 
 
 def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], None]) -> None:

@@ -77,7 +77,7 @@ class FileActions(QObject):
         self._loading = job
         # Later: a question must not hold up the end of the job.
         job.finished.connect(
-            lambda loaded: QTimer.singleShot(0, self, lambda: self.adopt(*loaded, journal=journal))
+            lambda read: QTimer.singleShot(0, self, lambda: self.adopt(read[0], read[1], journal))
         )
         job.failed.connect(self._window.show_error)
         job.failed.connect(lambda _: self._forget_if_gone(path))
