@@ -27,7 +27,9 @@ Steps = list[int | str]
 steps_of_a_user = st.lists(
     st.one_of(st.integers(0, 5), st.sampled_from(["undo", "redo", "all", "export"])), max_size=20
 )
-fixture_once = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+fixture_once = settings(
+    max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 
 
 class Session:
@@ -170,7 +172,7 @@ def test_a_journal_cut_at_any_byte_gives_the_last_complete_event(
 ) -> None:
     session = Session(tmp_path / "journal", source)
     states = [state_of(session.document)]
-    for number, step in enumerate([0, 1, "undo", 2, "export", 2, "undo", "undo", "redo", "all"]):
+    for number, step in enumerate([0, "export", 0, "undo", "undo", "redo", 1]):
         session.do(step, number)
         # Coming back to what was exported is two lines, of which the second changes nothing.
         lines = session.journal.read_bytes().count(b"\n")
