@@ -61,9 +61,9 @@ def test_a_killed_window_loses_no_more_than_the_last_edit(
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="kills forks of itself")
-def test_a_killed_export_leaves_the_old_file_or_the_new_one(tmp_path: Path, sprint: Path) -> None:
+def test_a_killed_export_leaves_the_old_file_or_the_new_one(tmp_path: Path, gait: Path) -> None:
     done = subprocess.run(
-        [sys.executable, str(HERE / "crash_export.py"), str(tmp_path), str(sprint)],
+        [sys.executable, str(HERE / "crash_export.py"), str(tmp_path), str(gait)],
         capture_output=True,
         text=True,
         check=True,
