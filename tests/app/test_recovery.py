@@ -37,8 +37,7 @@ def leave_edits(settings: Settings, qtbot: QtBot) -> Leave:
             document.undo_stack.push(EditSamples(document, edits, f"edit {number}"))
         document.undo_stack.undo()
         recorder.move(count)
-        assert recorder._file is not None
-        recorder._file.close()
+        recorder.close()
         return document
 
     return leave
@@ -298,6 +297,37 @@ def test_a_recording_without_edits_has_no_journal_and_a_closed_one_none_left(
     window.files.close()
     assert window.workspace is None
     assert journals(settings) == []
+
+
+def test_an_edit_is_on_the_disk_before_it_is_made(
+    open_in: Open, qtbot: QtBot, settings: Settings, sprint: Path
+) -> None:
+    workspace = workspace_of(open_in(sprint), qtbot)
+    lines: list[int] = []
+
+    def count(_: object) -> None:
+        lines.append(sum(path.read_bytes().count(b"\n") for path in journals(settings)))
+
+    workspace.document.samples_changed.connect(count)
+    gap = workspace.document.gaps[3]
+    for number in (1, 2):
+        workspace._push([edit_of(gap, number)], "edit")
+    assert lines == [2, 3], "the first line names the recording"
+
+
+def test_a_window_that_is_destroyed_unasked_leaves_its_edits(
+    qtbot: QtBot, settings: Settings, sprint: Path
+) -> None:
+    window = MainWindow(settings)
+    window.open(sprint)
+    workspace = workspace_of(window, qtbot)
+    for number in (1, 2):
+        workspace._push([edit_of(workspace.document.gaps[3], number)], "edit")
+    window.jobs.shut_down()
+    with qtbot.waitSignal(window.destroyed):
+        window.deleteLater()
+    (found,) = find_abandoned(settings.journal_folder, no_progress)
+    assert found.edits == 2
 
 
 def test_exported_edits_are_not_offered(

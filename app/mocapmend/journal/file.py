@@ -26,6 +26,8 @@ LARGEST = 512 * 2**20
 """Bytes that are written or read at most: some ten million filled samples."""
 LONGEST_FIRST_LINE = 64 * 2**10
 """Bytes of the first line, which tells a journal from other files."""
+LOCKED_BYTE = 2**30
+"""On Windows a lock is on bytes, which others cannot read then: one that is never written."""
 ATTEMPTS = 5
 
 Event = dict[str, Any]
@@ -159,11 +161,14 @@ class JournalFile:
 
     def _lock(self) -> bool:
         """Take the lock, and say whether it was free."""
+        descriptor = self._stream.fileno()
         try:
             if sys.platform == "win32":
-                msvcrt.locking(self._stream.fileno(), msvcrt.LK_NBLCK, 1)
+                os.lseek(descriptor, LOCKED_BYTE, os.SEEK_SET)
+                msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
+                os.lseek(descriptor, 0, os.SEEK_SET)
             else:
-                fcntl.flock(self._stream.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
+                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except (BlockingIOError, PermissionError):
             return False
         return True

@@ -62,15 +62,21 @@ class Recorder:
             self._write(lambda: {"index": index})
             self._index = index
 
-    def export(self, index: int) -> None:
-        """Note that all edits up to a position in the history are in a file."""
-        self._write(lambda: {"clean": index})
+    def export(self, clean: bool) -> None:  # noqa: FBT001 - a slot of cleanChanged(bool)
+        """Note, if it is so, that a file has what is done at this position in the history."""
+        if clean:
+            self._write(lambda: {"clean": self._index})
 
     def discard(self) -> None:
-        """Delete the journal: the edits are exported or given up."""
+        """Delete the journal and write no more: the edits are exported or given up."""
         if self._file is not None:
             self._file.discard()
-        self._file = None
+        self._off = True
+
+    def close(self) -> None:
+        """Let go of the journal and write no more: the edits can be recovered."""
+        if self._file is not None:
+            self._file.close()
         self._off = True
 
     def _write(self, make: Callable[[], Event]) -> None:

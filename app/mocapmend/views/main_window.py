@@ -110,11 +110,14 @@ class MainWindow(QMainWindow):
         return FileActions(self)
 
     def get_ready(self) -> None:
-        """Load and start what the first recording needs, once the user sees the window."""
+        """Load and start what the first recording needs, once the user sees the window.
+
+        Edits that a crash has left are offered.
+        """
         from mocapmend.views import file_actions, workspace  # noqa: F401
 
-        self.jobs.warm_up()
         self.files.when_loaded(self.files.recovery.offer)
+        self.jobs.warm_up()
 
     # --- making ------------------------------------------------------------------------------
 

@@ -17,6 +17,9 @@ from PySide6.QtWidgets import (
 from mocapmend.journal import Abandoned
 from mocapmend.views.tables import dress
 
+EDITS = 1
+"""The column of numbers."""
+
 
 class RecoveryDialog(QDialog):
     """Lists recordings with edits that can be recovered.
@@ -73,6 +76,10 @@ class RecoveryDialog(QDialog):
             for column, text in enumerate((path.name, str(each.edits), when)):
                 item = QTableWidgetItem(text)
                 item.setToolTip(str(path))
+                if column == EDITS:
+                    item.setTextAlignment(
+                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                    )
                 table.setItem(row, column, item)
         header = table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)

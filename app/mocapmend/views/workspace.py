@@ -85,7 +85,9 @@ class Workspace(QMainWindow):
         self.previewer.choose(*self.repair.method())
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
-        document.undo_stack.cleanChanged.connect(self._record_clean)
+        document.undo_stack.cleanChanged.connect(self.recorder.export)
+        # A stack that is destroyed, because the program ends, tells that it is empty and clean.
+        document.destroyed.connect(self.recorder.close)
         for part in (self.previewer, self.report):
             part.failed.connect(self.failed)
         self._show_first_gap()
@@ -223,10 +225,6 @@ class Workspace(QMainWindow):
         command = EditSamples(self.document, edits, text)
         self.recorder.push(text, edits)
         self.document.undo_stack.push(command)
-
-    def _record_clean(self, clean: bool) -> None:  # noqa: FBT001 - a slot of cleanChanged(bool)
-        if clean:
-            self.recorder.export(self.document.undo_stack.cleanIndex())
 
     def _show_first_gap(self) -> None:
         """Begin at the longest gap within the limit, with the whole recording in view."""
