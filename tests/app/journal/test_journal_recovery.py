@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from mocapmend.commands import EditSamples
@@ -121,6 +121,8 @@ def history_of(document: Document) -> list[tuple[Any, ...]]:
 
 @fixture_once
 @given(steps=steps_of_a_user)
+@example(steps=[0, 1, "export", "undo", 2])
+@example(steps=[0, 1, "export", "undo"])
 def test_a_crash_loses_nothing(source: Source, steps: Steps) -> None:
     with TemporaryDirectory() as folder:
         session = Session(Path(folder), source)
