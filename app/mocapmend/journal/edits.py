@@ -1,16 +1,14 @@
-"""Undo commands as JSON: the samples of all their runs one after another, without loss."""
+"""Undo commands as records of a journal: the samples of all runs one after another, to the bit."""
 
-import base64
-import binascii
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from mocapmend.document import Edit, Repair
-from mocapmend.journal.file import Event
+from mocapmend.journal.file import Event, Record
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Patch
@@ -19,8 +17,8 @@ from mocapmend_algorithms.fill.registry import method, restore_params
 NO_FILL = -1
 
 
-def encode(text: str, edits: Sequence[Edit]) -> Event:
-    """Return an undo command as JSON has it.
+def encode(text: str, edits: Sequence[Edit]) -> Record:
+    """Return an undo command as a record.
 
     Parameters
     ----------
@@ -37,42 +35,55 @@ def encode(text: str, edits: Sequence[Edit]) -> Event:
         for edit in edits
     ]
     patches = [edit.repair.patch for edit in edits if edit.repair is not None]
-    gaps = [(edit.gap.marker, edit.gap.start, edit.gap.stop) for edit in edits]
-    return {
+    event = {
         "step": text,
-        "gaps": _pack([np.array(gaps)], "<i8"),
-        "values": _pack([edit.values for edit in edits], "<f8"),
-        "states": _pack([edit.states for edit in edits], "u1"),
         "ways": [[name, dataclasses.asdict(params)] for name, params in ways],
-        "fills": _pack([np.array(fills)], "<i4"),
-        "sigma": _pack([patch.sigma for patch in patches], "<f8"),
-        "r90": _pack([patch.r90 for patch in patches], "<f8"),
+        "gaps": len(edits),
+        "samples": sum(edit.gap.length for edit in edits),
+        "filled": sum(patch.gap.length for patch in patches),
     }
+    data = (
+        *_bytes("<i8", [[(edit.gap.marker, edit.gap.start, edit.gap.stop) for edit in edits]]),
+        *_bytes("<i4", [fills]),
+        *_bytes("u1", (edit.states for edit in edits)),
+        *_bytes("<f8", (edit.values for edit in edits)),
+        *_bytes("<f8", (patch.sigma for patch in patches)),
+        *_bytes("<f8", (patch.r90 for patch in patches)),
+    )
+    return event, b"".join(data)
 
 
-def decode(event: Event, recording: Recording) -> tuple[str, list[Edit]]:
+def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[Edit]]:
     """Return the text and the edits of an undo command.
 
     Parameters
     ----------
-    event : dict
+    event, data : dict, bytes
         What `encode` made.
     recording : Recording
         That the edits shall fit.
 
     Raises
     ------
-    KeyError, TypeError or ValueError
+    AttributeError, KeyError, TypeError or ValueError
         If they do not fit it, or are none.
     """
-    text = event["step"]
-    gaps = _unpack(event["gaps"], "<i8").reshape(-1, 3)
-    values = _unpack(event["values"], "<f8").reshape(-1, 3)
-    states = _unpack(event["states"], "u1")
-    fills = _unpack(event["fills"], "<i4")
-    sigma, r90 = _unpack(event["sigma"], "<f8"), _unpack(event["r90"], "<f8")
+    text, count, samples, filled_samples = (
+        event[name] for name in ("step", "gaps", "samples", "filled")
+    )
     ways = [(name, restore_params(method(name), params)) for name, params in event["ways"]]
-    _require(isinstance(text, str) and len(fills) == len(gaps) > 0)
+    _require(isinstance(text, str) and type(count) is type(samples) is type(filled_samples) is int)
+    _require(count > 0 and samples >= 0 and filled_samples >= 0)
+    layout = (
+        ("<i8", 3 * count),
+        ("<i4", count),
+        ("u1", samples),
+        ("<f8", 3 * samples),
+        ("<f8", filled_samples),
+        ("<f8", filled_samples),
+    )
+    corners, fills, states, values, sigma, r90 = _split(data, layout)
+    gaps, values = corners.reshape(-1, 3), values.reshape(-1, 3)
     marker, start, stop = gaps.T
     _require(bool(((marker >= 0) & (marker < recording.markers)).all()))
     _require(bool(((start >= 0) & (start < stop) & (stop <= recording.frames)).all()))
@@ -97,18 +108,21 @@ def decode(event: Event, recording: Recording) -> tuple[str, list[Edit]]:
     return text, edits
 
 
-def _pack(parts: Sequence[NDArray[Any]], dtype: str) -> str:
-    joined = b"".join(np.ascontiguousarray(part, dtype).tobytes() for part in parts)
-    return base64.b64encode(joined).decode("ascii")
+def _bytes(dtype: str, parts: Iterable[ArrayLike]) -> Iterable[bytes]:
+    return (np.asarray(part, dtype).tobytes() for part in parts)
 
 
-def _unpack(text: str, dtype: str) -> NDArray[Any]:
-    try:
-        raw = base64.b64decode(text, validate=True)
-    except binascii.Error as error:
-        raise ValueError("not base64") from error
-    stored = np.frombuffer(raw, dtype)
-    return stored.astype(stored.dtype.newbyteorder("="))
+def _split(data: bytes, layout: Sequence[tuple[str, int]]) -> list[NDArray[Any]]:
+    """Return arrays of the dtypes and lengths that lie in the bytes one after another."""
+    sizes = [np.dtype(dtype).itemsize * length for dtype, length in layout]
+    _require(sum(sizes) == len(data))
+    raw = np.frombuffer(data, np.uint8)
+    ends = np.cumsum(sizes).tolist()
+    # A copy in the order of this machine: the arrays lie where they came to lie.
+    return [
+        raw[end - size : end].view(dtype).astype(np.dtype(dtype).newbyteorder("="))
+        for (dtype, _), size, end in zip(layout, sizes, ends, strict=True)
+    ]
 
 
 def _require(condition: bool) -> None:  # noqa: FBT001 - what it is called for

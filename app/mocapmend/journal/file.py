@@ -1,11 +1,13 @@
-"""A file of checked lines that one program holds: what is half written or damaged does not count.
+"""A file of checked records that one program holds: what is half written or damaged does not count.
 
-A line is the CRC-32 of a JSON object, and the object.
+A record is a line with a CRC-32 and two lengths, a JSON object, bytes that belong to it, and a line
+end. The checksum is of the object and the bytes.
 """
 
 import errno
 import json
 import os
+import re
 import secrets
 import sys
 import zlib
@@ -24,13 +26,15 @@ else:
 SUFFIX = ".journal"
 LARGEST = 512 * 2**20
 """Bytes that are written or read at most: some ten million filled samples."""
-LONGEST_FIRST_LINE = 64 * 2**10
-"""Bytes of the first line, which tells a journal from other files."""
+LONGEST_HEAD = 40
+"""Bytes of the line that begins a record."""
+HEAD = re.compile(rb"([0-9a-f]{8}) (\d{1,9}) (\d{1,9})\n")
 LOCKED_BYTE = 2**30
 """On Windows a lock is on bytes, which others cannot read then: one that is never written."""
 ATTEMPTS = 5
 
 Event = dict[str, Any]
+Record = tuple[Event, bytes]
 
 
 class JournalFile:
@@ -43,7 +47,7 @@ class JournalFile:
     path : Path
         Where it is.
     damaged : bool
-        Whether `events` met a line that was complete and wrong.
+        Whether `records` met one that was complete and wrong.
     """
 
     def __init__(self, path: Path, stream: BinaryIO) -> None:
@@ -95,8 +99,15 @@ class JournalFile:
         claimed.close()
         return None
 
-    def append(self, event: Event) -> None:
-        """Write an event and bring it to the disk.
+    def append(self, event: Event, data: bytes = b"") -> None:
+        """Write a record and bring it to the disk.
+
+        Parameters
+        ----------
+        event : dict
+            What JSON can hold.
+        data : bytes
+            What it cannot.
 
         Raises
         ------
@@ -104,36 +115,49 @@ class JournalFile:
             If it cannot be written, or if the file would become too large to be read.
         """
         body = json.dumps(event, separators=(",", ":")).encode("ascii")
-        line = b"%08x %s\n" % (zlib.crc32(body), body)
-        if self._stream.seek(0, os.SEEK_END) + len(line) > LARGEST:
+        head = b"%08x %d %d\n" % (_checksum(body, data), len(body), len(data))
+        record = b"".join((head, body, data, b"\n"))
+        if self._stream.seek(0, os.SEEK_END) + len(record) > LARGEST:
             raise OSError(errno.EFBIG, os.strerror(errno.EFBIG), str(self.path))
-        self._stream.write(line)
+        self._stream.write(record)
         self._stream.flush()
         os.fsync(self._stream.fileno())
 
-    def events(self) -> Iterator[tuple[Event, int]]:
-        """Read from the beginning to the first line that is half written or damaged.
+    def records(self) -> Iterator[tuple[Record, int]]:
+        """Read from the beginning to the first record that is half written or damaged.
 
         Yields
         ------
-        event : dict
-            What a line holds.
+        record : tuple of dict and bytes
+            What was appended.
         end : int
-            Bytes up to the end of the line.
+            Bytes up to the end of the record.
+
+        Raises
+        ------
+        OSError
+            If it cannot be read.
         """
+        size = min(LARGEST, self._stream.seek(0, os.SEEK_END))
         end = self._stream.seek(0)
-        limit = LONGEST_FIRST_LINE
-        while line := self._stream.readline(limit):
-            event = _parse(line)
-            if event is None:
-                self.damaged = line.endswith(b"\n") or len(line) == limit
+        while head := self._stream.readline(LONGEST_HEAD):
+            match = HEAD.fullmatch(head)
+            if match is None:
+                self.damaged = head.endswith(b"\n") or len(head) == LONGEST_HEAD
                 return
-            end += len(line)
-            limit = LARGEST - end
-            yield event, end
+            lengths = int(match[2]), int(match[3])
+            end += len(head) + sum(lengths) + 1
+            if end > size:
+                return
+            body, data, last = (self._stream.read(length) for length in (*lengths, 1))
+            event = _parse(body)
+            if event is None or last != b"\n" or int(match[1], 16) != _checksum(body, data):
+                self.damaged = True
+                return
+            yield (event, data), end
 
     def keep(self, end: int) -> None:
-        """Cut off what follows; what is appended then stands behind complete lines.
+        """Cut off what follows; what is appended then stands behind complete records.
 
         Raises
         ------
@@ -174,10 +198,11 @@ class JournalFile:
         return True
 
 
-def _parse(line: bytes) -> Event | None:
-    checksum, _, body = line.removesuffix(b"\n").partition(b" ")
-    if not line.endswith(b"\n") or checksum != b"%08x" % zlib.crc32(body):
-        return None
+def _checksum(body: bytes, data: bytes) -> int:
+    return zlib.crc32(data, zlib.crc32(body))
+
+
+def _parse(body: bytes) -> Event | None:
     try:
         event = json.loads(body)
     except (ValueError, RecursionError):

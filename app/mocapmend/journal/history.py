@@ -9,7 +9,7 @@ import numpy as np
 from mocapmend import __version__
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, Stamp
-from mocapmend.journal.file import Event, JournalFile
+from mocapmend.journal.file import Event, JournalFile, Record
 
 FORMAT = 1
 
@@ -44,7 +44,7 @@ class Subject:
         return self.stamp == source.stamp or self.checksum == _checksum(source)
 
     def event(self) -> Event:
-        """Return the first line of a journal."""
+        """Return the first event of a journal."""
         return {
             "journal": FORMAT,
             "program": __version__,
@@ -63,7 +63,7 @@ class History:
     ----------
     subject : Subject
         The recording, where it was last.
-    steps : list of dict
+    steps : list of (dict, bytes)
         The undo commands, see `edits.encode`.
     index : int
         How many of them are done; the others were undone.
@@ -76,7 +76,7 @@ class History:
     """
 
     subject: Subject
-    steps: list[Event] = field(default_factory=list)
+    steps: list[Record] = field(default_factory=list)
     index: int = 0
     clean: int = 0
     end: int = 0
@@ -87,19 +87,20 @@ class History:
         """Whether there is something to recover."""
         return self.index != self.clean
 
-    def add(self, event: Event) -> None:
-        """Take note of an event.
+    def add(self, record: Record) -> None:
+        """Take note of a record.
 
         Raises
         ------
         KeyError, TypeError or ValueError
             If it is none, or cannot follow what was before.
         """
+        event, _ = record
         if "step" in event:
             if self.clean > self.index:
                 self.clean = -1
             del self.steps[self.index :]
-            self.steps.append(event)
+            self.steps.append(record)
             self.index += 1
         elif "journal" in event:
             self.subject = _subject(event)
@@ -115,7 +116,7 @@ class History:
 
 
 def read_history(file: JournalFile) -> History | None:
-    """Read a journal; None when not even its first line was written.
+    """Read a journal; None when not even its first record was written.
 
     Raises
     ------
@@ -124,11 +125,11 @@ def read_history(file: JournalFile) -> History | None:
     """
     history: History | None = None
     try:
-        for event, end in file.events():
+        for record, end in file.records():
             if history is None:
-                history = History(_subject(event))
+                history = History(_subject(record[0]))
             else:
-                history.add(event)
+                history.add(record)
             history.end = end
     except OSError as error:
         raise MocapmendError(
@@ -156,7 +157,7 @@ def _subject(event: Event) -> Subject:
     numbers = [event[name] for name in ("journal", "size", "mtime_ns", "checksum")]
     path = event["recording"]
     if not (isinstance(path, str) and all(type(number) is int for number in numbers)):
-        raise TypeError("a first line with values of other types")
+        raise TypeError("a recording with values of other types")
     version, size, mtime_ns, checksum = numbers
     if version != FORMAT:
         raise ValueError(f"a journal of format {version}")

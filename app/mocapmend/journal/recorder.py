@@ -10,7 +10,7 @@ from mocapmend.document import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source
 from mocapmend.journal.edits import encode
-from mocapmend.journal.file import Event, JournalFile
+from mocapmend.journal.file import JournalFile, Record
 from mocapmend.journal.history import History, Subject
 
 log = logging.getLogger(__name__)
@@ -59,13 +59,13 @@ class Recorder:
     def move(self, index: int) -> None:
         """Note that the user has undone or redone, up to a position in the history."""
         if index != self._index:
-            self._write(lambda: {"index": index})
+            self._write(lambda: ({"index": index}, b""))
             self._index = index
 
     def export(self, clean: bool) -> None:  # noqa: FBT001 - a slot of cleanChanged(bool)
         """Note, if it is so, that a file has what is done at this position in the history."""
         if clean:
-            self._write(lambda: {"clean": self._index})
+            self._write(lambda: ({"clean": self._index}, b""))
 
     def discard(self) -> None:
         """Delete the journal and write no more: the edits are exported or given up."""
@@ -79,14 +79,14 @@ class Recorder:
             self._file.close()
         self._off = True
 
-    def _write(self, make: Callable[[], Event]) -> None:
+    def _write(self, make: Callable[[], Record]) -> None:
         if self._off:
             return
         with self._guarded():
             if self._file is None:
                 self._file = JournalFile.create(self._folder)
                 self._file.append(Subject.of(self._source).event())
-            self._file.append(make())
+            self._file.append(*make())
 
     @contextmanager
     def _guarded(self) -> Iterator[None]:

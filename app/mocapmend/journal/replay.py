@@ -55,7 +55,7 @@ def resume(path: Path, document: Document) -> tuple[JournalFile, History]:
 
 def _replay(history: History, document: Document, path: Path) -> None:
     try:
-        steps = [decode(step, document.original) for step in history.steps]
+        steps = [decode(*step, document.original) for step in history.steps]
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise unusable(path) from error
     stack = document.undo_stack

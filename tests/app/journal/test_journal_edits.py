@@ -8,8 +8,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from mocapmend.document import Document, Edit
-from mocapmend.journal.edits import _pack, decode, encode
-from mocapmend.journal.file import Event
+from mocapmend.journal.edits import decode, encode
+from mocapmend.journal.file import Record
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Patch
@@ -56,8 +56,8 @@ def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
     text=st.text(),
 )
 def test_edits_come_back(small: Document, edits: list[Edit], text: str) -> None:
-    event = json.loads(json.dumps(encode(text, edits)))
-    again_text, again = decode(event, small.original)
+    event, data = encode(text, edits)
+    again_text, again = decode(json.loads(json.dumps(event)), data, small.original)
     assert again_text == text
     assert [edit.gap for edit in again] == [edit.gap for edit in edits]
     for one, other in zip(edits, again, strict=True):
@@ -72,52 +72,79 @@ def test_edits_come_back(small: Document, edits: list[Edit], text: str) -> None:
                 assert same_bits(getattr(one.repair.patch, name), getattr(other.repair.patch, name))
 
 
+def record_of(
+    *,
+    corners: tuple[int, ...] = (0, 2, 5),
+    fill: int = 0,
+    state: int = SampleState.FILLED,
+    value: float = 1.0,
+    samples: int = 3,
+    filled: int = 3,
+    more: bytes = b"",
+    **fields: object,
+) -> Record:
+    """Return the record of one fill, or of what is none."""
+    event = {"step": "fill", "ways": [["linear", {}]], "gaps": 1, "samples": 3, "filled": 3}
+    data = (
+        np.array(corners, "<i8"),
+        np.array([fill], "<i4"),
+        np.full(samples, state, "u1"),
+        np.full(3 * samples, value, "<f8"),
+        np.full(2 * filled, 0.5, "<f8"),
+    )
+    return {**event, **fields}, b"".join(part.tobytes() for part in data) + more
+
+
+def test_the_layout_is_as_in_the_journals_of_before(small: Document) -> None:
+    text, (edit,) = decode(*record_of(), small.original)
+    assert text == "fill"
+    assert edit.gap == Gap(0, 2, 5)
+    assert (edit.values == 1.0).all()
+    assert edit.repair is not None
+    assert edit.repair.params == LinearParams()
+    assert edit.repair.patch.sigma.tolist() == edit.repair.patch.r90.tolist() == [0.5, 0.5, 0.5]
+    assert encode(text, [edit]) == record_of()
+
+
 @pytest.mark.parametrize(
-    ("name", "value"),
+    "record",
     [
-        ("step", 3),
-        ("gaps", _pack([np.array([[MARKERS, 2, 5]])], "<i8")),
-        ("gaps", _pack([np.array([[-1, 2, 5]])], "<i8")),
-        ("gaps", _pack([np.array([[0, -1, 2]])], "<i8")),
-        ("gaps", _pack([np.array([[0, FRAMES - 2, FRAMES + 1]])], "<i8")),
-        ("gaps", _pack([np.array([[0, 5, 2]])], "<i8")),
-        ("gaps", _pack([np.array([[0, -(2**63), 2**63 - 1]])], "<i8")),
-        ("gaps", _pack([np.array([[0, 2]])], "<i8")),
-        ("gaps", ""),
-        ("gaps", "no base64!"),
-        ("gaps", ["AAAA"]),
-        ("gaps", None),
-        ("values", _pack([np.zeros((2, 3))], "<f8")),
-        ("values", _pack([np.full((3, 3), np.nan)], "<f8")),
-        ("values", _pack([np.full((3, 3), np.inf)], "<f8")),
-        ("values", _pack([np.zeros(1)], "<f8")[:-4]),
-        ("states", _pack([np.full(3, 9)], "u1")),
-        ("states", _pack([np.full(3, SampleState.MISSING)], "u1")),
-        ("states", _pack([np.full(4, SampleState.FILLED)], "u1")),
-        ("fills", _pack([np.array([1])], "<i4")),
-        ("fills", _pack([np.array([-2])], "<i4")),
-        ("fills", _pack([np.array([0, 0])], "<i4")),
-        ("ways", [["unknown", {}]]),
-        ("ways", [["linear", {"unknown": 1}]]),
-        ("ways", [["linear", 7]]),
-        ("ways", [["constant", {"hold": ["before"]}]]),
-        ("ways", [[["linear"], {}]]),
-        ("ways", [3]),
-        ("sigma", _pack([np.zeros(4)], "<f8")),
-        ("r90", ""),
+        record_of(step=3),
+        record_of(corners=(MARKERS, 2, 5)),
+        record_of(corners=(-1, 2, 5)),
+        record_of(corners=(0, -1, 2)),
+        record_of(corners=(0, FRAMES - 2, FRAMES + 1)),
+        record_of(corners=(0, 5, 2)),
+        record_of(corners=(0, -(2**63), 2**63 - 1)),
+        record_of(corners=(0, 2, 6)),
+        record_of(corners=(0, 2)),
+        record_of(gaps=0, corners=(), samples=0, filled=0),
+        record_of(gaps=-1),
+        record_of(gaps=1.0),
+        record_of(gaps=True),
+        record_of(gaps=None),
+        record_of(gaps=10**300),
+        record_of(samples=2),
+        record_of(samples=4),
+        record_of(filled=2),
+        record_of(more=b"x"),
+        record_of(value=np.nan),
+        record_of(value=np.inf),
+        record_of(state=9),
+        record_of(state=SampleState.MISSING),
+        record_of(fill=1),
+        record_of(fill=-2),
+        record_of(fill=-1),
+        record_of(ways=[]),
+        record_of(ways=[["unknown", {}]]),
+        record_of(ways=[["linear", {"unknown": 1}]]),
+        record_of(ways=[["linear", 7]]),
+        record_of(ways=[["constant", {"hold": ["before"]}]]),
+        record_of(ways=[[["linear"], {}]]),
+        record_of(ways=[3]),
+        ({"step": "fill"}, b""),
     ],
 )
-def test_what_does_not_fit_the_recording_is_refused(
-    small: Document, name: str, value: object
-) -> None:
-    event = fitting()
-    decode(event, small.original)
+def test_what_does_not_fit_the_recording_is_refused(small: Document, record: Record) -> None:
     with pytest.raises((AttributeError, KeyError, TypeError, ValueError)):
-        decode({**event, name: value}, small.original)
-    with pytest.raises(KeyError):
-        decode({key: each for key, each in event.items() if key != name}, small.original)
-
-
-def fitting() -> Event:
-    patch = Patch(Gap(0, 2, 5), np.ones((3, 3)), np.ones(3), np.ones(3))
-    return encode("fill", [Edit.fill(patch, "linear", LinearParams())])
+        decode(*record, small.original)

@@ -1,9 +1,10 @@
-"""A journal file gives back every line that was completely written, and nothing else."""
+"""A journal file gives back every record that was completely written, and nothing else."""
 
 import errno
 import json
 import os
 import sys
+import tracemalloc
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,9 +13,13 @@ from pathlib import Path
 import pytest
 
 from mocapmend.journal import file as file_module
-from mocapmend.journal.file import SUFFIX, Event, JournalFile
+from mocapmend.journal.file import SUFFIX, JournalFile, Record
 
-EVENTS: list[Event] = [{"journal": 1}, {"step": "fill Ä", "values": "AAAA"}, {"index": 0}]
+RECORDS: list[Record] = [
+    ({"journal": 1}, b""),
+    ({"step": "fill Ä"}, b"bytes\nof all \0\xff kinds\n"),
+    ({"index": 0}, b""),
+]
 
 deletes_open_files = pytest.mark.skipif(sys.platform == "win32", reason="no open file is deleted")
 
@@ -27,84 +32,101 @@ def claimed(path: Path) -> Iterator[JournalFile]:
     file.close()
 
 
-def read(path: Path) -> list[Event]:
+def read(path: Path) -> list[Record]:
     with claimed(path) as file:
-        return [event for event, _ in file.events()]
+        return [record for record, _ in file.records()]
 
 
 @pytest.fixture
 def written(tmp_path: Path) -> Path:
-    """Return a journal of three lines that nobody holds."""
+    """Return a journal of three records that nobody holds."""
     file = JournalFile.create(tmp_path / "new" / "folder")
-    for event in EVENTS:
-        file.append(event)
+    for record in RECORDS:
+        file.append(*record)
     file.close()
     return file.path
 
 
-def with_checksum(body: bytes) -> bytes:
-    return b"%08x %s\n" % (zlib.crc32(body), body)
+def ends_in(path: Path) -> list[int]:
+    with claimed(path) as file:
+        return [end for _, end in file.records()]
+
+
+def with_checksum(body: bytes, data: bytes = b"") -> bytes:
+    head = b"%08x %d %d\n" % (zlib.crc32(body + data), len(body), len(data))
+    return head + body + data + b"\n"
 
 
 def test_what_is_appended_is_read_again(written: Path) -> None:
-    assert read(written) == EVENTS
-    with claimed(written) as file:
-        assert [end for _, end in file.events()][-1] == written.stat().st_size
-        assert not file.damaged
+    assert read(written) == RECORDS
+    assert ends_in(written)[-1] == written.stat().st_size
+    bodies = (json.dumps(event, separators=(",", ":")).encode() for event, _ in RECORDS)
+    by_hand = [with_checksum(body, data) for body, (_, data) in zip(bodies, RECORDS, strict=True)]
+    assert written.read_bytes() == b"".join(by_hand)
 
 
-def test_a_file_cut_at_any_byte_gives_its_complete_lines_and_can_go_on(written: Path) -> None:
-    whole = written.read_bytes()
+def test_a_file_cut_at_any_byte_gives_its_complete_records_and_can_go_on(written: Path) -> None:
+    whole, ends = written.read_bytes(), ends_in(written)
     for size in range(len(whole) + 1):
         written.write_bytes(whole[:size])
-        complete = whole[:size].count(b"\n")
+        complete = sum(end <= size for end in ends)
         with claimed(written) as file:
-            ends = [0, *(end for _, end in file.events())]
-            assert len(ends) - 1 == complete
-            assert not file.damaged, "half a line is no damage"
-            file.keep(ends[-1])
+            assert len(list(file.records())) == complete
+            assert not file.damaged, "half a record is no damage"
+            file.keep([0, *ends][complete])
             file.append({"index": 7})
-        assert read(written) == [*EVENTS[:complete], {"index": 7}]
+        assert read(written) == [*RECORDS[:complete], ({"index": 7}, b"")]
 
 
-def test_a_wrong_byte_ends_the_reading_before_its_line(written: Path) -> None:
-    whole = written.read_bytes()
+def test_a_wrong_byte_ends_the_reading_before_its_record(written: Path) -> None:
+    whole, ends = written.read_bytes(), ends_in(written)
     for place in range(len(whole)):
         wrong = bytearray(whole)
         wrong[place] ^= 0x01
         written.write_bytes(wrong)
-        assert read(written) == EVENTS[: whole[:place].count(b"\n")]
+        assert read(written) == RECORDS[: sum(end <= place for end in ends)]
 
 
 @pytest.mark.parametrize(
-    "line",
+    "raw",
     [
         with_checksum(b"[" * 200_000),
         with_checksum(b"[1]"),
         with_checksum(b"\xff"),
+        with_checksum(b"{}")[:-1] + b"x",
         b"\n",
         b"no checksum\n",
-        b"\0" * (file_module.LONGEST_FIRST_LINE + 5),
+        b"00000000 -5 2\n",
+        bytes(5000),
     ],
 )
-def test_what_is_no_event_is_damage(tmp_path: Path, line: bytes) -> None:
+def test_what_is_no_record_is_damage(tmp_path: Path, raw: bytes) -> None:
     path = tmp_path / "foreign.journal"
-    path.write_bytes(line)
+    path.write_bytes(raw)
     with claimed(path) as file:
-        assert list(file.events()) == []
+        assert list(file.records()) == []
         assert file.damaged
 
 
+def test_a_length_beyond_the_file_takes_no_memory(tmp_path: Path) -> None:
+    path = tmp_path / "absurd.journal"
+    path.write_bytes(b"00000000 999999999 999999999\n{}")
+    tracemalloc.start()
+    assert read(path) == []
+    assert tracemalloc.get_traced_memory()[1] < 2**20
+    tracemalloc.stop()
+
+
 def test_no_more_is_written_than_is_read(written: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    line = len(with_checksum(json.dumps({"index": 1}, separators=(",", ":")).encode()))
-    monkeypatch.setattr(file_module, "LARGEST", written.stat().st_size + line)
+    record = len(with_checksum(b'{"index":1}'))
+    monkeypatch.setattr(file_module, "LARGEST", written.stat().st_size + record)
     with claimed(written) as file:
         file.append({"index": 1})
         with pytest.raises(OSError, match=os.strerror(errno.EFBIG)):
             file.append({"index": 2})
-    assert read(written) == [*EVENTS, {"index": 1}]
+    assert read(written) == [*RECORDS, ({"index": 1}, b"")]
     monkeypatch.setattr(file_module, "LARGEST", written.stat().st_size - 1)
-    assert read(written) == EVENTS
+    assert read(written) == RECORDS
 
 
 def test_only_one_holds_a_journal(tmp_path: Path) -> None:
