@@ -69,10 +69,14 @@ class JournalFile:
             path = folder / (secrets.token_hex(8) + SUFFIX)
             # What is read and written to the end of the file needs one stream for both.
             made = cls(path, path.open("x+b"))
-            # Another program may have taken the empty file for a remnant before it was locked.
-            if made._lock() and path.exists():
-                sync_folder(folder)
-                return made
+            try:
+                # Another program may have taken the empty file for a remnant before it was locked.
+                if made._lock() and path.exists():
+                    sync_folder(folder)
+                    return made
+            except OSError:
+                made.discard()
+                raise
             made.close()
         raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN), str(folder))
 

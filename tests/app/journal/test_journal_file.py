@@ -150,6 +150,9 @@ def test_a_folder_that_knows_no_locks_is_an_error(
     monkeypatch.setattr(JournalFile, "_lock", refuse)
     with pytest.raises(OSError, match=os.strerror(errno.ENOLCK)):
         JournalFile.claim(written)
+    with pytest.raises(OSError, match=os.strerror(errno.ENOLCK)):
+        JournalFile.create(written.parent)
+    assert list(written.parent.iterdir()) == [written]
 
 
 @deletes_open_files
