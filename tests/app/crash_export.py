@@ -6,6 +6,7 @@ at any moment. Prints a line for each: "killed" or "done", what became of the fi
 """
 
 import hashlib
+import math
 import os
 import random
 import signal
@@ -15,11 +16,11 @@ from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
 
-import numpy as np
-
-from mocapmend.engine import export
-from mocapmend.files import SampleRun, read_recording
+from mocapmend import engine
+from mocapmend.files import read_recording
 from mocapmend_algorithms import find_gaps, no_progress
+from mocapmend_algorithms.fill.interpolate import LinearParams
+from mocapmend_algorithms.fill.limits import Limits
 
 LINES = 100
 TIMES = 60
@@ -30,11 +31,13 @@ def main() -> None:
     folder, recording = map(Path, sys.argv[1:])
     out = folder / "out.c3d"
     source = read_recording(recording)
+    way = ("linear", LinearParams())
     gaps = find_gaps(source.recording.present)
-    runs = [SampleRun(gap.marker, gap.start, np.full((gap.length, 3), 7.0)) for gap in gaps]
+    result = engine.fill(source.recording, gaps, *way, Limits(99, math.inf), no_progress)
+    changes = engine.changes_of(source, result, *way)
 
     def save() -> None:
-        export(source, runs, out, False, False, no_progress)
+        engine.export(source, changes, out, False, False, no_progress)
 
     started = time.monotonic()
     save()

@@ -31,6 +31,7 @@ def run(*, frames: int, runs: int) -> Table:
         source = read_c3d(path)
         gap = find_gaps(source.recording.present)[0]
         edits = [SampleRun(gap.marker, gap.start, np.full((gap.length, 3), 123.456))]
+        changes = engine.Changes(tuple(edits), ())
 
         def read_all() -> None:
             read_c3d(path).read_analog()
@@ -42,7 +43,7 @@ def run(*, frames: int, runs: int) -> Table:
             runs,
             lambda: _copy(path, copy),
             lambda: _save(source, edits, saved),
-            lambda: engine.export(source, edits, saved, False, False, no_progress),  # noqa: FBT003
+            lambda: engine.export(source, changes, saved, False, False, no_progress),  # noqa: FBT003
         )
         table.rows += [
             Row("plain read (np.fromfile)", _median(plain), "s"),

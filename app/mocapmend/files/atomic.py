@@ -72,6 +72,15 @@ def sync_folder(folder: Path) -> None:
             os.close(descriptor)
 
 
+def not_as_written(path: Path, what: str) -> MocapmendError:
+    """Return the error of a verification that found something else than what was written."""
+    return MocapmendError(
+        f"The file did not read back as it was written ({what}); it was removed.",
+        str(path.parent),
+        "Check the disk, or choose another one.",
+    )
+
+
 def _remove_remnants(folder: Path) -> None:
     """Delete what killed saves have left in a folder; no save that goes on is a day old."""
     with suppress(OSError):

@@ -16,6 +16,9 @@ from mocapmend_algorithms.fill.registry import method, restore_params
 
 NO_FILL = -1
 
+Way = tuple[str, Any, tuple[str, ...]]
+"""How a gap was filled: method, parameters, donors."""
+
 
 def encode(text: str, edits: Sequence[Edit]) -> Record:
     """Return an undo command as a record.
@@ -27,17 +30,15 @@ def encode(text: str, edits: Sequence[Edit]) -> Record:
     edits : sequence of Edit
         What the runs shall hold. The patch of a repair is what its edit writes.
     """
-    ways: dict[tuple[str, Any], int] = {}
+    ways: dict[Way, int] = {}
     fills = [
-        NO_FILL
-        if edit.repair is None
-        else ways.setdefault((edit.repair.method, edit.repair.params), len(ways))
+        NO_FILL if edit.repair is None else ways.setdefault(_way(edit.repair), len(ways))
         for edit in edits
     ]
     patches = [edit.repair.patch for edit in edits if edit.repair is not None]
     event = {
         "step": text,
-        "ways": [[name, dataclasses.asdict(params)] for name, params in ways],
+        "ways": [[name, dataclasses.asdict(params), list(donors)] for name, params, donors in ways],
         "gaps": len(edits),
         "samples": sum(edit.gap.length for edit in edits),
         "filled": sum(patch.gap.length for patch in patches),
@@ -71,7 +72,11 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
     text, count, samples, filled_samples = (
         event[name] for name in ("step", "gaps", "samples", "filled")
     )
-    ways = [(name, restore_params(method(name), params)) for name, params in event["ways"]]
+    ways = [
+        (name, restore_params(method(name), params), tuple(donors))
+        for name, params, donors in event["ways"]
+    ]
+    _require(all(isinstance(donor, str) for *_, donors in ways for donor in donors))
     _require(isinstance(text, str) and type(count) is type(samples) is type(filled_samples) is int)
     _require(count > 0 and samples >= 0 and filled_samples >= 0)
     layout = (
@@ -102,10 +107,15 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
         own, band = slice(end - gap.length, end), slice(band_end - gap.length, band_end)
         repair = None
         if fill != NO_FILL:
-            name, params = ways[fill]
-            repair = Repair(name, params, Patch(gap, values[own], sigma[band], r90[band]))
+            name, params, donors = ways[fill]
+            patch = Patch(gap, values[own], sigma[band], r90[band])
+            repair = Repair(name, params, patch, donors)
         edits.append(Edit(gap, values[own], states[own], repair))
     return text, edits
+
+
+def _way(repair: Repair) -> Way:
+    return repair.method, repair.params, repair.donors
 
 
 def _bytes(dtype: str, parts: Iterable[ArrayLike]) -> Iterable[bytes]:

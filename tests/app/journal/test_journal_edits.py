@@ -1,13 +1,14 @@
 """Undo commands come back from JSON to the bit, and only those that fit the recording."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document, Edit, Repair
 from mocapmend.journal.edits import decode, encode
 from mocapmend.journal.file import Record
 from mocapmend.state import SampleState
@@ -35,7 +36,10 @@ def fills(draw: st.DrawFn) -> Edit:
     )
     sigma, r90 = np.array(bands).reshape(2, -1)
     method = draw(st.sampled_from(sorted(PARAMS)))
-    return Edit.fill(Patch(gap, np.reshape(values, (-1, 3)), sigma, r90), method, PARAMS[method])
+    patch = Patch(gap, np.reshape(values, (-1, 3)), sigma, r90)
+    edit = Edit.fill(patch, method, PARAMS[method])
+    donors = tuple(draw(st.lists(st.text(), max_size=2)))
+    return replace(edit, repair=Repair(method, PARAMS[method], patch, donors))
 
 
 @st.composite
@@ -67,6 +71,7 @@ def test_edits_come_back(small: Document, edits: list[Edit], text: str) -> None:
         if one.repair is not None and other.repair is not None:
             assert one.repair.method == other.repair.method
             assert one.repair.params == other.repair.params
+            assert one.repair.donors == other.repair.donors
             assert one.repair.patch.gap == other.repair.patch.gap
             for name in ("values", "sigma", "r90"):
                 assert same_bits(getattr(one.repair.patch, name), getattr(other.repair.patch, name))
@@ -84,7 +89,7 @@ def record_of(
     **fields: object,
 ) -> Record:
     """Return the record of one fill, or of what is none."""
-    event = {"step": "fill", "ways": [["linear", {}]], "gaps": 1, "samples": 3, "filled": 3}
+    event = {"step": "fill", "ways": [["linear", {}, []]], "gaps": 1, "samples": 3, "filled": 3}
     data = (
         np.array(corners, "<i8"),
         np.array([fill], "<i4"),
@@ -136,11 +141,14 @@ def test_the_layout_is_as_in_the_journals_of_before(small: Document) -> None:
         record_of(fill=-2),
         record_of(fill=-1),
         record_of(ways=[]),
-        record_of(ways=[["unknown", {}]]),
-        record_of(ways=[["linear", {"unknown": 1}]]),
-        record_of(ways=[["linear", 7]]),
-        record_of(ways=[["constant", {"hold": ["before"]}]]),
-        record_of(ways=[[["linear"], {}]]),
+        record_of(ways=[["unknown", {}, []]]),
+        record_of(ways=[["linear", {"unknown": 1}, []]]),
+        record_of(ways=[["linear", 7, []]]),
+        record_of(ways=[["constant", {"hold": ["before"]}, []]]),
+        record_of(ways=[[["linear"], {}, []]]),
+        record_of(ways=[["linear", {}]]),
+        record_of(ways=[["linear", {}, 5]]),
+        record_of(ways=[["linear", {}, [5]]]),
         record_of(ways=[3]),
         ({"step": "fill"}, b""),
     ],

@@ -12,15 +12,17 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
+from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.errors import MocapmendError
-from mocapmend.files import Source, Stamp
+from mocapmend.files import Source, Stamp, read_recording
 from mocapmend.journal import Recorder, discard, find_abandoned, resume
 from mocapmend.journal.file import JournalFile
-from mocapmend_algorithms import no_progress
+from mocapmend_algorithms import find_gaps, no_progress
 from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.interpolate import ConstantParams, LinearParams
+from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.skeleton import Skeleton
 
 Steps = list[int | str]
@@ -224,6 +226,28 @@ def test_a_journal_in_use_is_neither_offered_nor_taken_nor_discarded(
     assert len(find_abandoned(session.folder, no_progress)) == 1
     discard(session.journal)
     assert list(session.folder.iterdir()) == []
+
+
+def test_repairs_that_the_file_had_are_reverted_again(tmp_path: Path, gait: Path) -> None:
+    source = read_recording(gait)
+    gaps = [gap for gap in find_gaps(source.measured.present) if gap.length < 20][:3]
+    way = ("linear", LinearParams())
+    result = engine.fill(source.measured, gaps, *way, Limits(99, np.inf), no_progress)
+    changes = engine.changes_of(source, result, *way)
+    repaired = tmp_path / "repaired.c3d"
+    engine.export(source, changes, repaired, False, False, no_progress)
+    source = read_recording(repaired)
+    session = Session(tmp_path / "journal", source)
+    assert session.document.repairs
+    session.push([Edit.clear(gap) for gap in list(session.document.repairs)[:2]], "revert")
+    session.do(0)
+    session.crash()
+    recovered = open_document(source)
+    file, _ = resume(session.journal, recovered)
+    file.close()
+    assert state_of(recovered) == state_of(session.document)
+    recovered.undo_stack.setIndex(0)
+    assert state_of(recovered)[:4] == state_of(open_document(source))[:4]
 
 
 def test_the_newest_edits_are_offered_first(tmp_path: Path, source: Source) -> None:
