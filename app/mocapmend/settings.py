@@ -2,9 +2,12 @@
 
 import json
 import math
+import sys
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Generic, TypeVar, cast
 
+import platformdirs
 from PySide6.QtCore import QByteArray, QSettings
 
 Value = TypeVar("Value")
@@ -36,6 +39,16 @@ class Settings:
 
     def __init__(self, store: QSettings | None = None) -> None:
         self._store = store if store is not None else QSettings()
+
+    @property
+    def journal_folder(self) -> Path:
+        """Where edits are kept until they are exported: beside the settings if those are a file."""
+        name = self._store.fileName()
+        native = self._store.format() == QSettings.Format.NativeFormat
+        # The registry is no file, and the preferences of all programs share one folder.
+        if not name or (native and sys.platform in {"win32", "darwin"}):
+            return platformdirs.user_data_path("mocapmend", appauthor=False) / "journal"
+        return Path(name).parent / "journal"
 
     def get(self, setting: Setting[Value]) -> Value:
         """Return the remembered value, or the default."""

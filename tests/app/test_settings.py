@@ -1,5 +1,8 @@
 """Settings are typed: what cannot be read is the default."""
 
+import sys
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QSettings
 
@@ -56,3 +59,19 @@ def test_recent_files_are_newest_first_without_repeats(settings: Settings) -> No
     assert recent[:3] == ["15.c3d", "19.c3d", "18.c3d"]
     assert len(recent) == RECENT_LIMIT
     assert len(set(recent)) == RECENT_LIMIT
+
+
+def test_the_journal_is_beside_the_settings(settings: Settings, tmp_path: Path) -> None:
+    assert settings.journal_folder == tmp_path / "journal"
+
+
+@pytest.mark.parametrize("platform", ["win32", "darwin", "linux"])
+def test_where_settings_have_no_folder_of_their_own_the_journal_has_one(
+    monkeypatch: pytest.MonkeyPatch, platform: str
+) -> None:
+    native = Settings(QSettings("mocapmend", "mocapmend"))
+    nowhere = Settings(QSettings("", QSettings.Format.IniFormat))
+    monkeypatch.setattr(sys, "platform", platform)
+    assert nowhere.journal_folder.parent.name == "mocapmend"
+    assert native.journal_folder.is_absolute()
+    assert native.journal_folder.parent.name == "mocapmend"

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -21,7 +22,7 @@ def test_the_window_starts_without_what_it_needs_later() -> None:
     assert done.stdout.strip() == "[]"
 
 
-def test_once_painted_the_window_loads_the_rest() -> None:
+def test_once_painted_the_window_loads_the_rest(tmp_path: Path) -> None:
     code = f"""
 import sys
 from PySide6.QtCore import QSettings
@@ -30,7 +31,7 @@ from mocapmend.views.application import make_application
 from mocapmend.views.first_paint import FirstPaint
 from mocapmend.views.main_window import MainWindow
 app = make_application()
-window = MainWindow(Settings(QSettings("", QSettings.Format.IniFormat)))
+window = MainWindow(Settings(QSettings({str(tmp_path / "a.ini")!r}, QSettings.Format.IniFormat)))
 painted = FirstPaint(window).painted
 painted.connect(lambda: print([name for name in {HEAVY!r} if name in sys.modules]))
 painted.connect(window.get_ready)

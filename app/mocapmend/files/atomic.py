@@ -3,12 +3,16 @@
 import errno
 import os
 import secrets
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
 from mocapmend.errors import MocapmendError
+
+TEMPORARY = ".mocapmend-{}.tmp"
+REMNANT_AGE_S = 24 * 3600.0
 
 
 def write_atomically(
@@ -32,7 +36,8 @@ def write_atomically(
         left behind and a file that was there is untouched.
     """
     target = Path(os.path.realpath(target))
-    temporary = target.with_name(f".mocapmend-{secrets.token_hex(8)}.tmp")
+    temporary = target.with_name(TEMPORARY.format(secrets.token_hex(8)))
+    _remove_remnants(target.parent)
     try:
         if target.exists() and not target.is_file():
             raise MocapmendError(
@@ -46,7 +51,7 @@ def write_atomically(
     finally:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
-    _sync_folder(target.parent)
+    sync_folder(target.parent)
 
 
 def same_file(first: Path, second: Path) -> bool:
@@ -57,6 +62,16 @@ def same_file(first: Path, second: Path) -> bool:
         return os.path.realpath(first) == os.path.realpath(second)
 
 
+def sync_folder(folder: Path) -> None:
+    """Bring the new names in a folder to the disk, where the system knows how to do that."""
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+
 def not_as_written(path: Path, what: str) -> MocapmendError:
     """Return the error of a verification that found something else than what was written."""
     return MocapmendError(
@@ -64,6 +79,15 @@ def not_as_written(path: Path, what: str) -> MocapmendError:
         str(path.parent),
         "Check the disk, or choose another one.",
     )
+
+
+def _remove_remnants(folder: Path) -> None:
+    """Delete what killed saves have left in a folder; no save that goes on is a day old."""
+    with suppress(OSError):
+        for path in folder.glob(TEMPORARY.format("[0-9a-f]" * 16)):
+            with suppress(OSError):
+                if time.time() - path.lstat().st_mtime > REMNANT_AGE_S:
+                    path.unlink()
 
 
 def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], None]) -> None:
@@ -76,16 +100,6 @@ def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], No
         write(stream)
         stream.flush()
         os.fsync(stream.fileno())
-
-
-def _sync_folder(folder: Path) -> None:
-    """Bring the new name to the disk, where the system knows how to do that."""
-    with suppress(OSError):
-        descriptor = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
 
 
 def _cannot_write(target: Path, error: OSError) -> MocapmendError:

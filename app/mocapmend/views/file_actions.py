@@ -9,9 +9,11 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from mocapmend import engine
 from mocapmend.document import Document
+from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, LONG_CSV, WRITTEN, Source, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
+from mocapmend.views.recovery import Recovery
 from mocapmend.views.samples import is_sample
 from mocapmend_algorithms.skeleton import Skeleton
 
@@ -31,7 +33,8 @@ class FileActions(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        self._loading = False
+        self.recovery = Recovery(window, self)
+        self._loading: Job | None = None
         self._writing: list[Job] = []
 
     @property
@@ -42,6 +45,13 @@ class FileActions(QObject):
     def when_written(self, then: Callable[[], object]) -> None:
         """Go on when the files that are being written are complete."""
         self._writing[-1].ended.connect(then)
+
+    def when_loaded(self, then: Callable[[], object]) -> None:
+        """Go on at once, or when the recording that is being opened is read."""
+        if self._loading is None:
+            then()
+        else:
+            self._loading.ended.connect(then)
 
     def ask_and_open(self) -> None:
         """Let the user choose a recording and open it."""
@@ -54,21 +64,28 @@ class FileActions(QObject):
         if path:
             self.open(Path(path))
 
-    def open(self, path: Path) -> None:
-        """Open a recording; the present one stays until the new one is fully read."""
-        if self._loading:
+    def open(self, path: Path, journal: Path | None = None) -> None:
+        """Open a recording, with the edits of a journal or as it is.
+
+        The present one stays until the new one is fully read.
+        """
+        if self._loading is not None:
             self._window.say(self.tr("Still opening the file before: try again."))
             return
         title = self.tr("Opening {0}").format(path.name)
         job = self._window.jobs.read_or_write(title, engine.load, path)
-        self._loading = True
+        self._loading = job
         # Later: a question must not hold up the end of the job.
         job.finished.connect(
-            lambda loaded: QTimer.singleShot(0, self, lambda: self._adopt(*loaded))
+            lambda read: QTimer.singleShot(0, self, lambda: self.adopt(read[0], read[1], journal))
         )
         job.failed.connect(self._window.show_error)
         job.failed.connect(lambda _: self._forget_if_gone(path))
         job.ended.connect(self._end_loading)
+
+    def adopt(self, source: Source, skeleton: Skeleton, journal: Path | None) -> None:
+        """Show a recording that has been read, once the present one's edits are saved."""
+        self.after_saving(lambda: self._show(source, skeleton, journal))
 
     def close(self) -> None:
         """Close the open recording."""
@@ -206,13 +223,14 @@ class FileActions(QObject):
             self._window.settings.forget_file(str(path))
 
     def _end_loading(self) -> None:
-        self._loading = False
+        self._loading = None
 
-    def _adopt(self, source: Source, skeleton: Skeleton) -> None:
-        self.after_saving(lambda: self._show(source, skeleton))
-
-    def _show(self, source: Source, skeleton: Skeleton) -> None:
-        self._window.show_source(source, skeleton)
+    def _show(self, source: Source, skeleton: Skeleton, journal: Path | None) -> None:
+        try:
+            history = self._window.show_source(source, skeleton, journal)
+        except MocapmendError as error:
+            self._window.show_error(error)
+            return
         path = source.path.resolve()
         self._window.settings.remember_file(str(path))
         if not is_sample(path):
@@ -230,6 +248,10 @@ class FileActions(QObject):
                 len(source.repaired),
             )
         )
+        if history is None:
+            self.recovery.offer(source)
+        else:
+            self.recovery.tell(history, source)
 
     def _exported(
         self,

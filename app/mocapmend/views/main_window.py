@@ -47,6 +47,7 @@ from mocapmend.views.welcome import Welcome
 
 if TYPE_CHECKING:
     from mocapmend.files import Source
+    from mocapmend.journal import History
     from mocapmend.views.file_actions import FileActions
     from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
@@ -117,9 +118,13 @@ class MainWindow(QMainWindow):
         return ProofActions(self)
 
     def get_ready(self) -> None:
-        """Load and start what the first recording needs, once the user sees the window."""
+        """Load and start what the first recording needs, once the user sees the window.
+
+        Edits that a crash has left are offered.
+        """
         from mocapmend.views import file_actions, workspace  # noqa: F401
 
+        self.files.when_loaded(self.files.recovery.offer)
         self.jobs.warm_up()
 
     # --- making ------------------------------------------------------------------------------
@@ -199,18 +204,41 @@ class MainWindow(QMainWindow):
         """Open a recording; the present one stays until the new one is fully read."""
         self.files.open(path)
 
-    def show_source(self, source: "Source", skeleton: "Skeleton") -> None:
-        """Show a recording that has been read in place of the present one."""
+    def show_source(
+        self, source: "Source", skeleton: "Skeleton", journal: Path | None = None
+    ) -> "History | None":
+        """Show a recording that has been read in place of the present one.
+
+        Parameters
+        ----------
+        source, skeleton : Source, Skeleton
+            The recording.
+        journal : Path, optional
+            Of edits that are to be recovered.
+
+        Returns
+        -------
+        History or None
+            What was recovered.
+
+        Raises
+        ------
+        MocapmendError
+            If the edits cannot be recovered. The present recording stays then.
+        """
         from mocapmend.document import Document
+        from mocapmend.journal import resume
         from mocapmend.views.workspace import Workspace
 
+        document = Document(source, skeleton)
+        recovered = None if journal is None else resume(journal, document)
         self.drop_workspace()
-        workspace = Workspace(
-            Document(source, skeleton), self.jobs, self.settings, self.theme, self.actions_by_id
-        )
+        workspace = Workspace(document, self.jobs, self.settings, self.theme, self.actions_by_id)
         self.workspace = workspace
         workspace.message.connect(self.say)
         workspace.failed.connect(self.show_error)
+        if recovered is not None:
+            workspace.recorder.resume(*recovered)
         for name, switch in SWITCHES.items():
             switch(workspace, self.actions_by_id[name].isChecked())
         stack = workspace.document.undo_stack
@@ -222,6 +250,7 @@ class MainWindow(QMainWindow):
         self.stack.setCurrentWidget(workspace)
         self._show_document()
         workspace.setFocus()
+        return None if recovered is None else recovered[1]
 
     def drop_workspace(self) -> None:
         """Close the present recording and show the empty window."""

@@ -11,6 +11,7 @@ from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.jobs import Job, Jobs
+from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order, neighbour
 from mocapmend.report import About
 from mocapmend.settings import LAYOUT, Settings
@@ -62,6 +63,7 @@ class Workspace(QMainWindow):
         document.setParent(self)
         self._jobs = jobs
         self._settings = settings
+        self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
         original = document.original
         self.view = ViewState(original.frames, self)
         self.player = Player(self.view, original.rate, self)
@@ -84,6 +86,10 @@ class Workspace(QMainWindow):
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.previewer.choose(*self.repair.method())
         document.undo_stack.indexChanged.connect(self._forget_outcome)
+        document.undo_stack.indexChanged.connect(self.recorder.move)
+        document.undo_stack.cleanChanged.connect(self.recorder.export)
+        # A stack that is destroyed, because the program ends, tells that it is empty and clean.
+        document.destroyed.connect(self.recorder.close)
         for part in (self.previewer, self.report):
             part.failed.connect(self.failed)
         self._show_first_gap()
@@ -98,6 +104,7 @@ class Workspace(QMainWindow):
         self.player.pause()
         self.previewer.stop()
         self.report.stop()
+        self.recorder.discard()
         if self._filling is not None:
             self._filling.abandon()
 
@@ -218,7 +225,9 @@ class Workspace(QMainWindow):
 
     def push(self, edits: list[Edit], text: str) -> None:
         """Make edits, in one undoable step."""
-        self.document.undo_stack.push(EditSamples(self.document, edits, text))
+        command = EditSamples(self.document, edits, text)
+        self.recorder.push(text, edits)
+        self.document.undo_stack.push(command)
 
     def _show_first_gap(self) -> None:
         """Begin at the longest gap within the limit, with the whole recording in view."""

@@ -1,0 +1,140 @@
+"""Undo commands as records of a journal: the samples of all runs one after another, to the bit."""
+
+import dataclasses
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mocapmend.document import Edit, Repair
+from mocapmend.journal.file import Event, Record
+from mocapmend.state import SampleState
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.fill.registry import method, restore_params
+
+NO_FILL = -1
+
+Way = tuple[str, Any, tuple[str, ...]]
+"""How a gap was filled: method, parameters, donors."""
+
+
+def encode(text: str, edits: Sequence[Edit]) -> Record:
+    """Return an undo command as a record.
+
+    Parameters
+    ----------
+    text : str
+        What the user reads in the menu.
+    edits : sequence of Edit
+        What the runs shall hold. The patch of a repair is what its edit writes.
+    """
+    ways: dict[Way, int] = {}
+    fills = [
+        NO_FILL if edit.repair is None else ways.setdefault(_way(edit.repair), len(ways))
+        for edit in edits
+    ]
+    patches = [edit.repair.patch for edit in edits if edit.repair is not None]
+    event = {
+        "step": text,
+        "ways": [[name, dataclasses.asdict(params), list(donors)] for name, params, donors in ways],
+        "gaps": len(edits),
+        "samples": sum(edit.gap.length for edit in edits),
+        "filled": sum(patch.gap.length for patch in patches),
+    }
+    data = (
+        *_bytes("<i8", [[(edit.gap.marker, edit.gap.start, edit.gap.stop) for edit in edits]]),
+        *_bytes("<i4", [fills]),
+        *_bytes("u1", (edit.states for edit in edits)),
+        *_bytes("<f8", (edit.values for edit in edits)),
+        *_bytes("<f8", (patch.sigma for patch in patches)),
+        *_bytes("<f8", (patch.r90 for patch in patches)),
+    )
+    return event, b"".join(data)
+
+
+def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[Edit]]:
+    """Return the text and the edits of an undo command.
+
+    Parameters
+    ----------
+    event, data : dict, bytes
+        What `encode` made.
+    recording : Recording
+        That the edits shall fit.
+
+    Raises
+    ------
+    AttributeError, KeyError, TypeError or ValueError
+        If they do not fit it, or are none.
+    """
+    text, count, samples, filled_samples = (
+        event[name] for name in ("step", "gaps", "samples", "filled")
+    )
+    ways = [
+        (name, restore_params(method(name), params), tuple(donors))
+        for name, params, donors in event["ways"]
+    ]
+    _require(all(isinstance(donor, str) for *_, donors in ways for donor in donors))
+    _require(isinstance(text, str) and type(count) is type(samples) is type(filled_samples) is int)
+    _require(count > 0 and samples >= 0 and filled_samples >= 0)
+    layout = (
+        ("<i8", 3 * count),
+        ("<i4", count),
+        ("u1", samples),
+        ("<f8", 3 * samples),
+        ("<f8", filled_samples),
+        ("<f8", filled_samples),
+    )
+    corners, fills, states, values, sigma, r90 = _split(data, layout)
+    gaps, values = corners.reshape(-1, 3), values.reshape(-1, 3)
+    marker, start, stop = gaps.T
+    _require(bool(((marker >= 0) & (marker < recording.markers)).all()))
+    _require(bool(((start >= 0) & (start < stop) & (stop <= recording.frames)).all()))
+    lengths = stop - start
+    filled = fills != NO_FILL
+    _require(bool(((fills >= NO_FILL) & (fills < len(ways))).all()))
+    _require(len(values) == len(states) == lengths.sum())
+    _require(len(sigma) == len(r90) == lengths[filled].sum())
+    _require(bool(np.isin(states, list(SampleState)).all()))
+    missing = states == SampleState.MISSING
+    _require(bool(np.isfinite(values[~missing]).all() and np.isnan(values[missing]).all()))
+    edits = []
+    ends, band_ends = np.cumsum(lengths), np.cumsum(lengths * filled)
+    for row, fill, end, band_end in zip(gaps.tolist(), fills, ends, band_ends, strict=True):
+        gap = Gap(*row)
+        own, band = slice(end - gap.length, end), slice(band_end - gap.length, band_end)
+        repair = None
+        if fill != NO_FILL:
+            name, params, donors = ways[fill]
+            patch = Patch(gap, values[own], sigma[band], r90[band])
+            repair = Repair(name, params, patch, donors)
+        edits.append(Edit(gap, values[own], states[own], repair))
+    return text, edits
+
+
+def _way(repair: Repair) -> Way:
+    return repair.method, repair.params, repair.donors
+
+
+def _bytes(dtype: str, parts: Iterable[ArrayLike]) -> Iterable[bytes]:
+    return (np.asarray(part, dtype).tobytes() for part in parts)
+
+
+def _split(data: bytes, layout: Sequence[tuple[str, int]]) -> list[NDArray[Any]]:
+    """Return arrays of the dtypes and lengths that lie in the bytes one after another."""
+    sizes = [np.dtype(dtype).itemsize * length for dtype, length in layout]
+    _require(sum(sizes) == len(data))
+    raw = np.frombuffer(data, np.uint8)
+    ends = np.cumsum(sizes).tolist()
+    # A copy in the order of this machine: the arrays lie where they came to lie.
+    return [
+        raw[end - size : end].view(dtype).astype(np.dtype(dtype).newbyteorder("="))
+        for (dtype, _), size, end in zip(layout, sizes, ends, strict=True)
+    ]
+
+
+def _require(condition: bool) -> None:  # noqa: FBT001 - what it is called for
+    if not condition:
+        raise ValueError("edits that do not fit the recording")

@@ -1,0 +1,100 @@
+"""The question what shall become of edits that a crash has left."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QDateTime, QLocale, Qt, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from mocapmend.journal import Abandoned
+from mocapmend.views.tables import dress
+
+EDITS = 1
+"""The column of numbers."""
+
+
+class RecoveryDialog(QDialog):
+    """Lists recordings with edits that can be recovered.
+
+    Signals
+    -------
+    recover : Abandoned
+        The user wants these edits back. The dialog closes.
+    discard : Abandoned
+        The user gives these edits up. The dialog closes after the last of them.
+    """
+
+    recover = Signal(object)
+    discard = Signal(object)
+
+    def __init__(self, parent: QWidget, abandoned: Sequence[Abandoned]) -> None:
+        super().__init__(parent)
+        self._abandoned = list(abandoned)
+        self.setWindowTitle(self.tr("Recover edits"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        text = QLabel(
+            self.tr(
+                "The program ended before these edits were exported. Recover opens the recording "
+                "with the edits, which can still be undone; the file itself is not changed."
+            )
+        )
+        text.setWordWrap(True)
+        self._table = self._make_table()
+        kinds = QDialogButtonBox.ButtonRole
+        buttons = QDialogButtonBox()
+        self.recover_button = buttons.addButton(self.tr("Recover"), kinds.AcceptRole)
+        self.discard_button = buttons.addButton(self.tr("Discard"), kinds.DestructiveRole)
+        self.later_button = buttons.addButton(self.tr("Later"), kinds.RejectRole)
+        self.recover_button.setDefault(True)
+        self.recover_button.clicked.connect(self._recover)
+        self.discard_button.clicked.connect(self._discard)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(text)
+        layout.addWidget(self._table)
+        layout.addWidget(buttons)
+        self.resize(560, 260)
+
+    def _make_table(self) -> QTableWidget:
+        headers = [self.tr("Recording"), self.tr("Edits"), self.tr("Last edit")]
+        table = QTableWidget(len(self._abandoned), len(headers))
+        table.setHorizontalHeaderLabels(headers)
+        dress(table)
+        table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
+        for row, each in enumerate(self._abandoned):
+            moment = QDateTime.fromSecsSinceEpoch(int(each.time))
+            when = QLocale().toString(moment, QLocale.FormatType.ShortFormat)
+            path = each.subject.path
+            for column, text in enumerate((path.name, str(each.edits), when)):
+                item = QTableWidgetItem(text)
+                item.setToolTip(str(path))
+                if column == EDITS:
+                    item.setTextAlignment(
+                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                    )
+                table.setItem(row, column, item)
+        header = table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        table.selectRow(0)
+        table.itemActivated.connect(self._recover)
+        return table
+
+    def _recover(self) -> None:
+        self.accept()
+        self.recover.emit(self._abandoned[self._table.currentRow()])
+
+    def _discard(self) -> None:
+        row = self._table.currentRow()
+        self.discard.emit(self._abandoned.pop(row))
+        self._table.removeRow(row)
+        if not self._abandoned:
+            self.accept()
