@@ -76,7 +76,7 @@ class Table:
         ]
         for row in self.rows:
             ratio = "" if row.ratio is None else f"{row.ratio:.2f}"
-            figure = row.note if row.figure is None else f"{row.figure:.3g} {row.unit}".strip()
+            figure = row.note if row.figure is None else _figure(row.figure, row.unit)
             lines.append(f"| {row.what} | {figure} | {row.against} | {ratio} | {row.target} |")
         return "\n".join(lines) + "\n"
 
@@ -87,3 +87,8 @@ def machine() -> str:
         f"{os.cpu_count()} cores, {platform.machine()}, {platform.system()}, "
         f"Python {platform.python_version()}, numpy {np.__version__}"
     )
+
+
+def _figure(value: float, unit: str) -> str:
+    """Write a measured figure, or a count, which has no unit, with all its digits."""
+    return f"{value:.3g} {unit}" if unit else f"{value:,.0f}"
