@@ -203,6 +203,18 @@ def test_the_second_reader_contradicts(source: C3DFile, tmp_path: Path) -> None:
         confirm_with_c3d(source.path, tmp_path / "missing.c3d", source, runs)
 
 
+@pytest.mark.parametrize("machine", ["intel", "dec", "mips"])
+def test_tiny_numbers_that_the_second_reader_takes_for_others(
+    machine: Machine, tmp_path: Path
+) -> None:
+    path, out = tmp_path / "file.c3d", tmp_path / "out.c3d"
+    path.write_bytes(encode(Synthetic(walk(), machine)))
+    source = read_c3d(path)
+    runs = [SampleRun(1, 3, np.array([[1e-39, 5.0, -1e-40]]))]
+    save_patched(source, runs, out)
+    assert "1 of 1 written samples decode" in confirm_with_c3d(path, out, source, runs)
+
+
 def test_a_file_that_the_second_reader_refuses(tmp_path: Path) -> None:
     path = tmp_path / "rate.c3d"
     path.write_bytes(encode(Synthetic(walk(), parameters={"POINT:RATE": [50.0]})))
