@@ -90,7 +90,7 @@ def _of_folder(folder: Path) -> Iterator[Seed]:
     known = _suffixes()
     for path in sorted(folder.rglob("*")):
         suffix = path.suffix.lower()
-        if suffix not in known or not path.is_file():
+        if suffix not in known or not path.is_file() or not path.stat().st_size:
             continue
         if suffix == ".c3d":
             yield _c3d_seed(path)
@@ -99,17 +99,16 @@ def _of_folder(folder: Path) -> Iterator[Seed]:
 
 
 def _c3d_seed(path: Path, frames: int = KEPT_FRAMES) -> Seed:
-    """Take the first frames of a file; an unreadable one as it is."""
+    """Take the first frames of a file, or its first bytes where it has none or is unreadable."""
     try:
         layout = read_c3d(path).layout
     except MocapmendError:
         raw = path.read_bytes()[:KEPT_BYTES]
         return Seed(path.name, "C3D, unreadable", ".c3d", raw, BLOCK)
-    stop = layout.data_start + frames * layout.frame_bytes
-    raw = path.read_bytes()
+    kept = max(1, min(frames, (KEPT_BYTES - layout.data_start) // max(1, layout.frame_bytes)))
     # What follows the last frame is kept where all frames are.
-    raw = raw if layout.frames <= frames else raw[:stop]
-    return Seed(path.name, _encoding(layout), ".c3d", raw, layout.data_start)
+    stop = layout.data_start + kept * layout.frame_bytes if layout.frames > kept else KEPT_BYTES
+    return Seed(path.name, _encoding(layout), ".c3d", path.read_bytes()[:stop], layout.data_start)
 
 
 def _other_seed(path: Path, suffix: str) -> Seed:
