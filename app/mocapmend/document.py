@@ -1,6 +1,6 @@
 """The open recording: the only owner and the only writer of its samples."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
+from mocapmend import engine
+from mocapmend.engine import Changes
 from mocapmend.files import SampleRun, Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow
@@ -16,6 +18,7 @@ from mocapmend.shared_recording import SharedRecording
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.gaps import runs as find_runs
 from mocapmend_algorithms.skeleton import Skeleton
 
 
@@ -31,11 +34,14 @@ class Repair:
         The method's parameter dataclass.
     patch : Patch
         What was put into the gap, with its expected error.
+    donors : tuple of str
+        Labels of the markers that it was computed from.
     """
 
     method: str
     params: Any
     patch: Patch
+    donors: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +81,8 @@ class Edit:
 class Document(QObject):
     """A recording that is being repaired.
 
+    Repairs that the file had when it was opened are repairs here too: they can be reverted.
+
     Samples change only through `apply`, which undo commands call; every change raises `revision`
     and is announced by `samples_changed` with the tuple of changed runs.
     """
@@ -87,20 +95,19 @@ class Document(QObject):
         self.skeleton = skeleton
         self.undo_stack = QUndoStack(self)
         self.revision = 0
-        self.repairs: dict[Gap, Repair] = {}
+        self.original = source.measured
+        self._earlier = dict(_earlier_repairs(source))
+        self.repairs = dict(self._earlier)
         self.names = short_names(source.recording.labels)
         self._points = source.recording.points.copy()
         self._state = np.full(source.recording.present.shape, SampleState.MEASURED, np.uint8)
         self._state[~source.recording.present] = SampleState.MISSING
+        for gap in self.repairs:
+            self._state[gap.start : gap.stop, gap.marker] = SampleState.FILLED
         self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
         self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
         self._shared: SharedRecording | None = None
         self._shared_original: SharedRecording | None = None
-
-    @property
-    def original(self) -> Recording:
-        """The recording as the file has it."""
-        return self.source.recording
 
     @property
     def repairable(self) -> bool:
@@ -140,6 +147,11 @@ class Document(QObject):
         )
         return min(near, key=lambda gap: abs((gap.start + gap.stop) / 2.0 - frame), default=None)
 
+    def is_earlier(self, gap: Gap) -> bool:
+        """Say whether a gap's repair is the one that the file had when it was opened."""
+        repair = self._earlier.get(gap)
+        return repair is not None and self.repairs.get(gap) is repair
+
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
         """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
         return self._runs[marker][state]
@@ -158,7 +170,7 @@ class Document(QObject):
         return self._shared
 
     def share_original(self) -> SharedRecording:
-        """Return the samples as the file has them for a background job.
+        """Return the measured samples for a background job.
 
         Fills are computed from these: from measured samples alone, never from other fills.
         """
@@ -194,13 +206,22 @@ class Document(QObject):
         self.revision += 1
         self.samples_changed.emit(tuple(changed))
 
-    def changed_runs(self) -> list[SampleRun]:
-        """Return the samples that differ from the file, for saving."""
-        return [
+    def changes(self) -> Changes:
+        """Return what differs from the file, for saving."""
+        stored = self.source.recording.points
+        touched = sorted({gap.marker for gap in (*self.repairs, *self.source.repaired)})
+        runs = [
             SampleRun(marker, start, self._points[start:stop, marker].copy())
-            for marker in sorted({gap.marker for gap in self.repairs})
-            for start, stop in self._runs[marker][SampleState.FILLED].tolist()
+            for marker in touched
+            for start, stop in find_runs(_differs(self._points[:, marker], stored[:, marker]))
         ]
+        records = [
+            engine.record(
+                self.source, repair.patch, repair.method, repair.params, donors=repair.donors
+            )
+            for _, repair in sorted(self.repairs.items())
+        ]
+        return Changes(tuple(runs), tuple(records))
 
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""
@@ -220,3 +241,19 @@ class Document(QObject):
     def _find_gaps(self, marker: int) -> list[Gap]:
         missing = self._runs[marker][SampleState.MISSING].tolist()
         return [Gap(marker, start, stop) for start, stop in missing]
+
+
+def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:
+    """Yield the repairs that the file has had: their values, and their error over the whole gap."""
+    mm = source.recording.mm
+    for gap, record in zip(source.repaired, source.repairs, strict=True):
+        values = source.recording.points[gap.start : gap.stop, gap.marker].copy()
+        sigma = np.full(gap.length, record.expected_error_mm / mm / np.sqrt(3.0))
+        patch = Patch(gap, values, sigma, np.full(gap.length, record.r90_mm / mm))
+        yield gap, Repair(record.method, record.parameters, patch, record.donors)
+
+
+def _differs(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Say which samples differ in any bit: NaN is not equal to itself."""
+    different: NDArray[np.bool_] = (one.view(np.int64) != other.view(np.int64)).any(axis=1)
+    return different

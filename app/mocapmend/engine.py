@@ -3,8 +3,8 @@
 Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,20 +13,26 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     C3DFile,
     CheckReport,
+    Provenance,
+    RepairRecord,
     SampleRun,
     Saved,
     Source,
     check_files,
     confirm_with_c3d,
+    patches,
     read_recording,
     save_patched,
+    write_recording,
 )
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
-from mocapmend_algorithms.fill.contract import FillResult, Unfilled
+from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_from_distances
 from mocapmend_resources import skeletons
+
+READ_BACK = "The file was read back: all samples are as they should be."
 
 
 def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
@@ -76,9 +82,49 @@ def fill_gap(
     return registry.method(method_id).function(recording, [gap], params, progress)
 
 
-def runs_of(result: FillResult) -> list[SampleRun]:
-    """Return what a fill writes into a file."""
-    return [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
+@dataclass(frozen=True)
+class Changes:
+    """What a copy of a file has that the file has not.
+
+    Attributes
+    ----------
+    runs : tuple of SampleRun
+        The samples that change.
+    repairs : tuple of RepairRecord
+        All repairs that the copy has, earlier ones included.
+    """
+
+    runs: tuple[SampleRun, ...]
+    repairs: tuple[RepairRecord, ...]
+
+
+def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
+    """Return what a fill changes in a file; its earlier repairs stay."""
+    runs = [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
+    new = [record(source, patch, method_id, params) for patch in result.patches]
+    return Changes(tuple(runs), (*source.repairs, *new))
+
+
+def record(
+    source: Source,
+    patch: Patch,
+    method_id: str,
+    params: Any,
+    donors: tuple[str, ...] = (),
+) -> RepairRecord:
+    """Describe a repair for the repair record."""
+    recording, gap = source.recording, patch.gap
+    return RepairRecord(
+        marker=recording.labels[gap.marker],
+        point=source.stored_points[gap.marker] + 1,
+        first_frame=recording.first_frame + gap.start,
+        last_frame=recording.first_frame + gap.stop - 1,
+        method=method_id,
+        parameters=dict(params) if isinstance(params, Mapping) else asdict(params),
+        donors=donors,
+        expected_error_mm=patch.expected_error * recording.mm,
+        r90_mm=patch.typical_r90 * recording.mm,
+    )
 
 
 def repaired(recording: Recording, result: FillResult) -> Recording:
@@ -98,24 +144,29 @@ class Exported:
     saved : Saved
         What was written.
     second_reader : str
-        What an independent C3D library makes of the file, as a sentence.
-    check : CheckReport
-        The comparison with the original, passed.
+        What an independent C3D library makes of the file, or how it was read back, as a sentence.
+    check : CheckReport or None
+        The comparison with the original, passed; None where the new file is no copy of it.
     """
 
     saved: Saved
     second_reader: str
-    check: CheckReport
+    check: CheckReport | None
 
     @property
     def sentences(self) -> tuple[str, ...]:
         """The proofs and what else there is to know, for reports."""
-        return (self.check.sentence, self.second_reader, *self.saved.notes)
+        checked = () if self.check is None else (self.check.sentence, *self.check.allowed)
+        return (
+            *checked,
+            self.second_reader,
+            *self.saved.sentences,
+        )
 
 
 def export(
     source: Source,
-    runs: Sequence[SampleRun],
+    changes: Changes,
     out: Path,
     replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
     accept_truncated: bool,  # noqa: FBT001
@@ -123,14 +174,17 @@ def export(
 ) -> Exported:
     """Write the repaired copy of a file and prove that only the repairs differ.
 
+    A C3D file is copied and patched. What comes from another format, or goes into one, is written
+    as a new file.
+
     The proofs come before the copy gets its name: what was there stays until they have passed.
 
     Parameters
     ----------
     source : Source
         The file as it was read.
-    runs : sequence of SampleRun
-        The repaired samples.
+    changes : Changes
+        The repairs.
     out : Path
         Where the copy goes; a file of that name is replaced.
     replace_source, accept_truncated : bool
@@ -143,17 +197,27 @@ def export(
     MocapmendError
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
-    if not isinstance(source, C3DFile):
-        raise MocapmendError(
-            f"Repairs of a {source.kind} file cannot be written yet.", str(source.path)
+    if not (isinstance(source, C3DFile) and patches(source, out)):
+        points = source.recording.points.copy()
+        for run in changes.runs:
+            points[run.start : run.start + len(run.values), run.marker] = run.values
+        saved = write_recording(
+            source,
+            source.recording.with_points(points),
+            changes.repairs,
+            out,
+            replace_source=replace_source,
+            accept_truncated=accept_truncated,
+            progress=progress,
         )
+        return Exported(saved, READ_BACK, None)
     proofs: list[tuple[str, CheckReport]] = []
 
-    def prove(copy: Path) -> None:
+    def prove(copy: Path, record: Provenance | None) -> None:
         sentence = confirm_with_c3d(
-            source.path, copy, source, runs, lambda share: progress(0.3 + 0.6 * share)
+            source.path, copy, source, changes.runs, lambda share: progress(0.3 + 0.6 * share)
         )
-        check = check_files(source.path, copy)
+        check = check_files(source.path, copy, record)
         if not check.passed:
             raise MocapmendError(
                 f"The written file is wrong and was removed: {check.other_differences[0]}",
@@ -164,8 +228,9 @@ def export(
 
     saved = save_patched(
         source,
-        runs,
+        changes.runs,
         out,
+        repairs=changes.repairs,
         replace_source=replace_source,
         accept_truncated=accept_truncated,
         progress=lambda share: progress(0.3 * share),

@@ -2,7 +2,7 @@
 
 import struct
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,8 @@ CODES = {"intel": 84, "dec": 85, "mips": 86}
 ENCODINGS = [(machine, is_float) for machine in MACHINES for is_float in (False, True)]
 """The six encodings of a C3D file."""
 
-Value = str | list[str] | list[int] | list[float]
+Value = str | list[str] | list[int] | list[float] | NDArray[Any]
+"""An array is stored with its last axis first, as C3D files have it."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,11 @@ def numbers(values: NDArray[np.float64], machine: Machine, kind: str) -> bytes:
 
 def parameter(group: int, name: str, value: Value, machine: Machine) -> bytes:
     """Encode one parameter record."""
-    if isinstance(value, str) or (value and isinstance(value[0], str)):
+    if isinstance(value, np.ndarray):
+        is_float = value.dtype.kind == "f"
+        kind, dimensions = 4 if is_float else 2, list(value.shape[::-1])
+        data = numbers(value, machine, "f" if is_float else "i")
+    elif isinstance(value, str) or (value and isinstance(value[0], str)):
         texts = [text.encode() for text in ([value] if isinstance(value, str) else value)]
         width = max(map(len, texts))
         dimensions = [width] if isinstance(value, str) else [width, len(texts)]

@@ -9,6 +9,7 @@ from c3d_synthetic import ENCODINGS, Machine, Synthetic, encode, walk
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile, read_c3d
 from mocapmend.files.c3d_parameters import decode_text
 
@@ -30,6 +31,7 @@ def test_every_encoding_reads_the_same(machine: Machine, is_float: bool, tmp_pat
         "ANALOG:SCALE": [1.0, 0.5, 0.25],
         "ANALOG:OFFSET": [0, 10, -10],
         "ANALOG:LABELS": ["Fx", "Fy"],
+        "ANALOG:UNITS": ["N", "", "Nmm"],
     }
     spec = Synthetic(points, machine, is_float, 0.125, fourth, analog, parameters=scales)
     file = opened(spec, tmp_path)
@@ -45,6 +47,7 @@ def test_every_encoding_reads_the_same(machine: Machine, is_float: bool, tmp_pat
         100.0, "mm", "+z", 1,
     )  # fmt: skip
     assert file.analog_labels == ("Fx", "Fy", "channel 3")
+    assert file.analog_units == ("N", "", "Nmm")
     assert file.analog_rate == 200.0
     flat = analog.reshape(-1, 3)
     np.testing.assert_allclose(file.read_analog(), (flat - [0, 10, -10]) * [2.0, 1.0, 0.5])
@@ -108,12 +111,47 @@ def test_first_frame_and_length_beyond_16_bits(tmp_path: Path) -> None:
     assert file.warnings == ()
 
 
-@pytest.mark.parametrize("first", [0, 1, 148, 480])
+@pytest.mark.parametrize("first", [0, 1, 148, 480, 1368])
 def test_first_frame(first: int, tmp_path: Path) -> None:
     for kept in ({}, {"TRIAL:ACTUAL_START_FIELD": None, "TRIAL:ACTUAL_END_FIELD": None}):
         spec = Synthetic(walk(), first_frame=first, parameters=kept)
         file = opened(spec, tmp_path)
         assert (file.recording.first_frame, file.recording.frames) == (first, 40)
+
+
+NO_TRIAL = {"TRIAL:ACTUAL_START_FIELD": None, "TRIAL:ACTUAL_END_FIELD": None}
+
+
+@pytest.mark.parametrize(
+    ("parameters", "header"),
+    [
+        (NO_TRIAL | {"POINT:LONG_FRAMES": [70_000.0]}, {5: 65_535}),
+        # Words of 16 bits that wrapped round.
+        ({"POINT:FRAMES": [70_000 % 65_536]}, {5: 70_000 % 65_536}),
+        (NO_TRIAL | {"POINT:FRAMES": [70_000.0]}, {5: 65_535}),
+    ],
+)
+def test_every_way_to_say_how_long_a_long_recording_is(
+    parameters: dict[str, object], header: dict[int, int], tmp_path: Path
+) -> None:
+    points = walk(70_000, 1)
+    file = opened(Synthetic(points, parameters=parameters, header=header), tmp_path)
+    np.testing.assert_array_equal(file.recording.points, points)
+    assert (file.recording.first_frame, file.warnings) == (1, ())
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "first"), [([20, 0], [59, 0], 20), ([0, 65_535], [46, 0], 7)]
+)
+def test_first_frames_that_disagree(
+    start: list[int], end: list[int], first: int, tmp_path: Path
+) -> None:
+    parameters = {"TRIAL:ACTUAL_START_FIELD": start, "TRIAL:ACTUAL_END_FIELD": end}
+    file = opened(Synthetic(walk(), first_frame=7, parameters=parameters), tmp_path)
+    assert file.recording.first_frame == first
+    assert len(file.warnings) == 1
+    assert "first frame" in file.warnings[0]
+    np.testing.assert_array_equal(file.recording.points, walk())
 
 
 def test_many_labels_and_channels(tmp_path: Path) -> None:
@@ -279,6 +317,12 @@ def test_data_start_from_the_parameter_or_from_nowhere(tmp_path: Path) -> None:
     assert any("does not say where its data begin" in text for text in file.warnings)
 
 
+def test_a_data_start_of_0_means_nothing(tmp_path: Path) -> None:
+    file = opened(Synthetic(walk(), parameters={"POINT:DATA_START": [0, 0]}), tmp_path)
+    np.testing.assert_array_equal(file.recording.points, walk())
+    assert file.warnings == ()
+
+
 def test_scale_and_rate_that_disagree(tmp_path: Path) -> None:
     points = walk()
     parameters = {"POINT:SCALE": [0.5], "POINT:RATE": [50.0]}
@@ -321,6 +365,36 @@ def test_a_record_that_declares_more_than_it_has(tmp_path: Path) -> None:
     assert file.recording.up == "+z"
 
 
+def test_parameters_outside_of_their_section(tmp_path: Path) -> None:
+    spec = Synthetic(walk(40, 200), labels=[f"Long label {i:03}" for i in range(200)])
+    raw = bytearray(encode(spec))
+    assert raw[514] > 4
+    raw[514] = 1
+    path = tmp_path / "overflow.c3d"
+    path.write_bytes(raw)
+    file = read_c3d(path)
+    assert file.recording.labels == tuple(spec.labels or ())
+    np.testing.assert_array_equal(file.recording.points, spec.points)
+    assert file.warnings == ()
+
+
+def test_a_description_without_its_length(tmp_path: Path) -> None:
+    # OptiTrack 1 leaves the byte out behind the labels, and links to the record before.
+    raw = bytearray(encode(Synthetic(walk(), labels=["One", "Two", "Three", "Four", "Five"])))
+    at = raw.index(b"LABELS") + 6
+    stop = at + raw[at]
+    assert raw[stop - 1] == 0
+    raw[at] -= 1
+    section = raw[512 : 512 * (1 + raw[514])]
+    del section[stop - 1 - 512]
+    raw[512 : 512 + len(section) + 1] = section + b"\0"
+    path = tmp_path / "described.c3d"
+    path.write_bytes(raw)
+    file = read_c3d(path)
+    assert file.recording.labels == ("One", "Two", "Three", "Four", "Five")
+    assert (file.recording.unit, file.recording.up, file.warnings) == ("mm", "+z", ())
+
+
 def test_a_repeated_parameter_is_said(tmp_path: Path) -> None:
     raw = bytearray(encode(Synthetic(walk(), parameters={"POINT:UNITX": "m "})))
     at = raw.index(b"UNITX")
@@ -348,3 +422,20 @@ def test_unsigned_analog(machine: Machine, tmp_path: Path) -> None:
     np.testing.assert_array_equal(
         opened(spec, tmp_path).read_analog(), analog.reshape(-1, 1) - 32768
     )
+
+
+def test_offsets_and_scales_of_some_channels(tmp_path: Path) -> None:
+    analog = np.arange(40 * 3.0).reshape(40, 1, 3)
+    parameters = {"ANALOG:OFFSET": [0.5], "ANALOG:SCALE": [2.0, 4.0], "ANALOG:GEN_SCALE": [-1.0]}
+    file = opened(Synthetic(walk(), analog=analog, parameters=parameters), tmp_path)
+    expected = -(analog[:, 0] - [0.5, 0, 0]) * [2.0, 4.0, 1.0]
+    np.testing.assert_array_equal(file.read_analog(), expected)
+    assert file.analog_units == ("", "", "")
+
+
+def test_analog_data_are_read_when_they_are_asked_for(tmp_path: Path) -> None:
+    file = opened(Synthetic(walk(), analog=np.ones((40, 1, 3))), tmp_path)
+    file.path.unlink()
+    assert file.analog_rate == 100.0
+    with pytest.raises(MocapmendError, match="no such file"):
+        file.read_analog()

@@ -11,12 +11,13 @@ from mocapmend.document import Document, Edit
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap, find_gaps
 from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.fill.registry import METHODS
 
 
 def fill(document: Document, gap: Gap, value: float = 1.0) -> EditSamples:
     values = np.full((gap.length, 3), value)
     sigma = np.full(gap.length, 2.0)
-    edit = Edit.fill(Patch(gap, values, sigma, 2.5 * sigma), "linear", None)
+    edit = Edit.fill(Patch(gap, values, sigma, 2.5 * sigma), "linear", METHODS["linear"].params())
     return EditSamples(document, [edit], "fill")
 
 
@@ -109,7 +110,7 @@ def test_changed_runs_are_what_an_export_has_to_write(document: Document) -> Non
     document.undo_stack.push(fill(document, first, 1.0))
     document.undo_stack.push(fill(document, second, 2.0))
     document.undo_stack.undo()
-    runs = document.changed_runs()
+    runs = document.changes().runs
     assert [(run.marker, run.start, len(run.values)) for run in runs] == [
         (first.marker, first.start, first.length)
     ]

@@ -10,7 +10,7 @@ from c3d_synthetic import Synthetic, encode, walk
 
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
-from mocapmend.files import CheckReport, Source, Stamp, read_c3d
+from mocapmend.files import CheckReport, Provenance, Source, Stamp, read_c3d
 from mocapmend_algorithms import Cancelled, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import METHODS
@@ -84,8 +84,8 @@ def export(holed: Path, out: Path, *, replace_source: bool = False) -> engine.Ex
     gaps = find_gaps(source.recording.present)
     params = METHODS["linear"].params()
     result = engine.fill(source.recording, gaps, "linear", params, NO_LIMITS, no_progress)
-    runs = engine.runs_of(result)
-    return engine.export(source, runs, out, replace_source, False, no_progress)
+    changes = engine.changes_of(source, result, "linear", params)
+    return engine.export(source, changes, out, replace_source, False, no_progress)
 
 
 def test_an_export_holds_the_repairs_and_their_proofs(holed: Path, tmp_path: Path) -> None:
@@ -132,8 +132,8 @@ def test_a_failed_proof_leaves_no_file(
 ) -> None:
     real = engine.check_files
 
-    def pessimist(original: Path, repaired: Path) -> CheckReport:
-        return replace(real(original, repaired), other_differences=("7 bytes differ.",))
+    def pessimist(original: Path, repaired: Path, record: Provenance | None) -> CheckReport:
+        return replace(real(original, repaired, record), other_differences=("7 bytes differ.",))
 
     monkeypatch.setattr(engine, "check_files", pessimist)
     with pytest.raises(MocapmendError, match="7 bytes differ"):
@@ -151,5 +151,7 @@ def test_a_cancelled_export_leaves_no_file(holed: Path, tmp_path: Path) -> None:
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        engine.export(read_c3d(holed), [], tmp_path / "out.c3d", False, False, cancel)
+        engine.export(
+            read_c3d(holed), engine.Changes((), ()), tmp_path / "out.c3d", False, False, cancel
+        )
     assert [path.name for path in tmp_path.iterdir()] == ["holed.c3d"]

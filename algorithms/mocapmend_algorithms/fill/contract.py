@@ -39,6 +39,12 @@ class Patch:
         """Expected 3-D RMS error over the gap in the recording's unit; NaN where unknown."""
         return float(np.sqrt(3.0 * np.mean(self.sigma**2)))
 
+    @property
+    def typical_r90(self) -> float:
+        """Median of `r90` where it is known; NaN where it is not."""
+        known = self.r90[~np.isnan(self.r90)]
+        return float(np.median(known)) if known.size else float("nan")
+
 
 @dataclass(frozen=True)
 class Unfilled:

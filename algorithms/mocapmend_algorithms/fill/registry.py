@@ -95,6 +95,11 @@ def method(method_id: str) -> Method:
     return METHODS[method_id]
 
 
+def method_label(method_id: str) -> str:
+    """Return a method's label; the id of one that this version does not know."""
+    return METHODS[method_id].label if method_id in METHODS else method_id
+
+
 def parse_params(method: Method, pairs: Mapping[str, str]) -> Any:
     """Make a method's parameters from text, as `name=value` on the command line.
 

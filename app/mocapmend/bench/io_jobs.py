@@ -141,9 +141,10 @@ def own_export(work: Work) -> Iterator[None]:
 
     out = work.out("own")
     source = read_c3d(work.path)
-    runs = [SampleRun(work.marker, work.start, work.values())]
+    run = SampleRun(work.marker, work.start, work.values())
+    changes = engine.Changes((run,), ())
     yield
-    engine.export(source, runs, out, False, False, no_progress)  # noqa: FBT003
+    engine.export(source, changes, out, False, False, no_progress)  # noqa: FBT003
     yield
 
 

@@ -1,19 +1,22 @@
 """The good files from which damaged ones are made."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.resources import as_file, files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from mocapmend import engine
 from mocapmend.bench.encodings import transcode
 from mocapmend.bench.small_files import BESIDE, SMALL_FILES
 from mocapmend.bench.synthetic import write_recording
+from mocapmend.bench.trial import fill_gaps
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Layout, read_c3d
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.formats import FORMATS
+from mocapmend_algorithms import no_progress
 
 KEPT_FRAMES = 24
 KEPT_BYTES = 1 << 16
@@ -73,6 +76,16 @@ def _synthetic() -> Iterator[Seed]:
                 made = transcode(raw, layout, processor, is_float=is_float)
                 path.write_bytes(made)
                 yield _c3d_seed(path, frames=layout.frames)
+        path.write_bytes(raw)
+        yield _repaired(path)
+
+
+def _repaired(path: Path) -> Seed:
+    """Fill the gaps of a file: the copy has a record of that."""
+    source = read_c3d(path)
+    out = path.with_name("repaired.c3d")
+    engine.export(source, fill_gaps(source), out, False, False, no_progress)  # noqa: FBT003
+    return replace(_c3d_seed(out, source.recording.frames), kind="C3D with a repair record")
 
 
 def _small() -> Iterator[Seed]:

@@ -1,11 +1,23 @@
 """A large recording for the benchmarks: real format, invented motion."""
 
-import struct
 from pathlib import Path
 
 import numpy as np
 
-BLOCK = 512
+from mocapmend.files.c3d_header import BLOCK
+from mocapmend.files.c3d_numbers import Processor
+from mocapmend.files.c3d_section import (
+    LARGEST_WORD,
+    float_header,
+    float_record,
+    group_record,
+    integer_record,
+    parameter_section,
+    text_record,
+    text_records,
+)
+
+INTEL = Processor.INTEL
 
 
 def write_recording(
@@ -38,12 +50,21 @@ def write_recording(
     seed : int
         The same seed gives the same bytes.
     """
-    parameters = _parameters(frames, markers, analog, analog_per_frame, rate)
-    data_block = 2 + len(parameters) // BLOCK
-    header = bytearray(BLOCK)
-    struct.pack_into("<BB4HHf", header, 0, 2, 80, markers, analog * analog_per_frame, 1,
-                     min(frames, 65_535), 10, -1.0)  # fmt: skip
-    struct.pack_into("<HHf", header, 16, data_block, analog_per_frame, rate)
+    parameters = parameter_section(
+        lambda block: _records(frames, markers, analog, analog_per_frame, rate, block),
+        INTEL,
+        str(path),
+    )
+    header = float_header(
+        points=markers,
+        analog=analog * analog_per_frame,
+        first=1,
+        last=frames,
+        data_block=2 + len(parameters) // BLOCK,
+        analog_samples=analog_per_frame,
+        rate=rate,
+        processor=INTEL,
+    )
     rng = np.random.default_rng(seed)
     missing = _missing(rng, frames, markers, gaps)
     width = 4 * markers + analog * analog_per_frame
@@ -82,59 +103,34 @@ def _missing(rng: np.random.Generator, frames: int, markers: int, gaps: int) -> 
     return missing
 
 
-def _parameters(frames: int, markers: int, analog: int, per_frame: int, rate: float) -> bytes:
-    """Return the parameter section, padded to whole blocks."""
-    labels = [f"M{k:03d}" for k in range(markers)]
-    channels = [f"A{k:03d}" for k in range(analog)]
-    halves = np.array([frames % 65_536, frames // 65_536], "<u2")
-    entries = [
-        _group(1, "POINT"),
-        _number(1, "USED", "<h", markers),
-        _number(1, "SCALE", "<f", -1.0),
-        _number(1, "RATE", "<f", rate),
-        _number(1, "FRAMES", "<H", min(frames, 65_535)),
-        _texts(1, "UNITS", ["mm"]),
-        _texts(1, "LABELS", labels),
-        _texts(1, "X_SCREEN", ["+X"]),
-        _texts(1, "Y_SCREEN", ["+Z"]),
-        _group(2, "ANALOG"),
-        _number(2, "USED", "<h", analog),
-        _number(2, "RATE", "<f", rate * per_frame),
-        _number(2, "GEN_SCALE", "<f", 1.0),
-        _texts(2, "LABELS", channels),
-        _array(2, "SCALE", np.ones(analog, "<f4"), 4),
-        _array(2, "OFFSET", np.zeros(analog, "<i2"), 2),
-        _group(3, "TRIAL"),
-        _array(3, "ACTUAL_START_FIELD", np.array([1, 0], "<u2"), 2),
-        _array(3, "ACTUAL_END_FIELD", halves, 2),
+def _records(
+    frames: int, markers: int, analog: int, per_frame: int, rate: float, data_block: int
+) -> list[bytes]:
+    """Return the records of the parameter section."""
+
+    def texts(group: int, name: str, letter: str, count: int) -> list[bytes]:
+        rows = [f"{letter}{k:03d}".encode() for k in range(count)]
+        return text_records(group, name, rows, INTEL)
+
+    return [
+        group_record(1, "POINT", INTEL),
+        integer_record(1, "USED", markers, INTEL),
+        integer_record(1, "DATA_START", data_block, INTEL),
+        float_record(1, "SCALE", -1.0, INTEL),
+        float_record(1, "RATE", rate, INTEL),
+        integer_record(1, "FRAMES", min(frames, LARGEST_WORD), INTEL),
+        text_record(1, "UNITS", b"mm", INTEL),
+        *texts(1, "LABELS", "M", markers),
+        text_record(1, "X_SCREEN", b"+X", INTEL),
+        text_record(1, "Y_SCREEN", b"+Z", INTEL),
+        group_record(2, "ANALOG", INTEL),
+        integer_record(2, "USED", analog, INTEL),
+        float_record(2, "RATE", rate * per_frame, INTEL),
+        float_record(2, "GEN_SCALE", 1.0, INTEL),
+        *texts(2, "LABELS", "A", analog),
+        float_record(2, "SCALE", np.ones(analog), INTEL),
+        integer_record(2, "OFFSET", np.zeros(analog), INTEL),
+        group_record(3, "TRIAL", INTEL),
+        integer_record(3, "ACTUAL_START_FIELD", [1, 0], INTEL),
+        integer_record(3, "ACTUAL_END_FIELD", divmod(frames, 65_536)[::-1], INTEL),
     ]
-    # DATA_START depends on the size of the section that it stands in: it never changes that size.
-    size = 4 + sum(map(len, entries)) + len(_number(1, "DATA_START", "<h", 0)) + 2
-    blocks = -(-size // BLOCK)
-    entries.insert(1, _number(1, "DATA_START", "<h", 2 + blocks))
-    section = bytes([1, 80, blocks, 84]) + b"".join(entries) + b"\0\0"
-    return section.ljust(blocks * BLOCK, b"\0")
-
-
-def _group(number: int, name: str) -> bytes:
-    return struct.pack("<bb", len(name), -number) + name.encode() + struct.pack("<hB", 3, 0)
-
-
-def _entry(group: int, name: str, body: bytes) -> bytes:
-    head = struct.pack("<bb", len(name), group) + name.encode()
-    return head + struct.pack("<h", len(body) + 3) + body + b"\0"
-
-
-def _number(group: int, name: str, form: str, value: float) -> bytes:
-    kind = {"h": 2, "H": 2, "f": 4}[form[-1]]
-    return _entry(group, name, struct.pack("<bB", kind, 0) + struct.pack(form, value))
-
-
-def _array(group: int, name: str, values: np.ndarray, kind: int) -> bytes:
-    return _entry(group, name, struct.pack("<bBB", kind, 1, len(values)) + values.tobytes())
-
-
-def _texts(group: int, name: str, texts: list[str]) -> bytes:
-    width = max((len(text) for text in texts), default=0)
-    body = "".join(text.ljust(width) for text in texts).encode()
-    return _entry(group, name, struct.pack("<bBBB", -1, 2, width, len(texts)) + body)

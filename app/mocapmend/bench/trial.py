@@ -18,7 +18,7 @@ import scipy.interpolate  # noqa: F401
 
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
-from mocapmend.files import C3DFile
+from mocapmend.files import C3DFile, Source
 from mocapmend_algorithms import find_gaps, no_progress
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.limits import Limits
@@ -98,32 +98,43 @@ Use = Callable[[Path, Meter], None]
 
 
 def use_file(path: Path, meter: Meter) -> None:
-    """Open a file, read its analog data, fill up to 200 gaps, export and check the repaired copy.
+    """Open a file, read its analog data, fill up to 200 gaps, and export the repaired copy.
 
-    That a file cannot be saved is no fault, but that a proof fails is one. The fill is not
-    metered: it only sees what was opened.
+    That a file cannot be saved is no fault, but that a proof fails is one, and so is a copy that
+    does not open. The fill is not metered: it only sees what was opened.
 
     Raises
     ------
     MocapmendError
         If it cannot be opened.
     """
-    out = path.with_name(f"repaired{path.suffix}")
     with meter:
         source, _ = engine.load(path, no_progress)
         if isinstance(source, C3DFile):
             source.read_analog()
+    changes = fill_gaps(source)
+    out = path.with_name("repaired.c3d")
+    with meter:
+        try:
+            # Among the proofs is `check_files`.
+            engine.export(source, changes, out, False, True, no_progress)  # noqa: FBT003
+        except MocapmendError as error:
+            if "report this" in error.todo:
+                raise AssertionError(f"a proof failed: {error}") from error
+            return
+        try:
+            engine.load(out, no_progress)
+        except MocapmendError as error:
+            raise AssertionError(f"the copy does not open: {error}") from error
+
+
+def fill_gaps(source: Source) -> engine.Changes:
+    """Fill gaps of a recording within the default limits."""
     recording = source.recording
     gaps = find_gaps(recording.present)[:MOST_GAPS]
-    filled = engine.fill(recording, gaps, METHOD.id, METHOD.params(), Limits(), no_progress)
-    runs = engine.runs_of(filled)
-    try:
-        with meter:
-            # Among the proofs is `check_files`.
-            engine.export(source, runs, out, False, True, no_progress)  # noqa: FBT003
-    except MocapmendError as error:
-        if "report this" in error.todo:
-            raise AssertionError(f"a proof failed: {error}") from error
+    params = METHOD.params()
+    filled = engine.fill(recording, gaps, METHOD.id, params, Limits(), no_progress)
+    return engine.changes_of(source, filled, METHOD.id, params)
 
 
 def attempt(path: Path, use: Use = use_file) -> Outcome:

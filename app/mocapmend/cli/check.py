@@ -1,12 +1,11 @@
 """Prove that a repaired file differs from its original in marker samples alone."""
 
 import argparse
-from dataclasses import asdict
 from pathlib import Path
 
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.files import CheckReport, check_files
+from mocapmend.files import check_files
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -19,7 +18,9 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     """Print what differs; return 0 if nothing but marker samples does, else 1."""
     found = check_files(arguments.original, arguments.repaired)
     console.result(
-        original=str(arguments.original), repaired=str(arguments.repaired), **as_json(found)
+        original=str(arguments.original),
+        repaired=str(arguments.repaired),
+        **common.comparison(found),
     )
     if found.changed:
         console.table(
@@ -34,19 +35,10 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
             ],
         )
     console.say(found.sentence)
+    for sentence in found.allowed:
+        console.say(sentence)
     if not found.passed:
         console.warn(f"{arguments.repaired}: the check failed:")
         for difference in found.other_differences:
             console.warn(difference)
     return 0 if found.passed else 1
-
-
-def as_json(found: CheckReport) -> dict[str, object]:
-    """Return what a comparison found, for JSON."""
-    return {
-        "passed": found.passed,
-        "identical": found.identical,
-        "changed_samples": found.changed_samples,
-        "changed": [asdict(run) for run in found.changed],
-        "other_differences": list(found.other_differences),
-    }

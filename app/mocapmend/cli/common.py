@@ -1,13 +1,16 @@
 """What several commands share: their arguments, reading a file, describing a gap."""
 
 import argparse
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from mocapmend.cli.console import Console
-from mocapmend.files import Source
+from mocapmend.engine import Exported
+from mocapmend.files import CheckReport, Source
+from mocapmend.files.sidecar import sidecar_path
 from mocapmend_algorithms import Gap, Recording
 
 
@@ -28,6 +31,34 @@ def facts(source: Source) -> dict[str, Any]:
         "file": str(source.path),
         "truncated": source.truncated,
         "warnings": list(source.warnings),
+    }
+
+
+def written(exported: Exported) -> dict[str, Any]:
+    """Return what every JSON document says about a file that was written."""
+    saved = exported.saved
+    beside = sidecar_path(saved.path) if saved.record == "sidecar" else None
+    return {
+        "repair_record": {
+            "place": saved.record or None,
+            "file": None if beside is None else str(beside),
+        },
+        "converted_to_floats": saved.converted,
+        "notes": list(saved.notes),
+        "second_reader": exported.second_reader,
+        "check": None if exported.check is None else comparison(exported.check),
+    }
+
+
+def comparison(found: CheckReport) -> dict[str, Any]:
+    """Return what a comparison of two files found, for JSON."""
+    return {
+        "passed": found.passed,
+        "identical": found.identical,
+        "changed_samples": found.changed_samples,
+        "changed": [asdict(run) for run in found.changed],
+        "allowed": list(found.allowed),
+        "other_differences": list(found.other_differences),
     }
 
 

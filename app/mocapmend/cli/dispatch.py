@@ -18,6 +18,7 @@ COMMANDS = {
     "info": "say what a file holds",
     "gaps": "list the gaps of a file",
     "repair": "fill gaps and write a repaired copy",
+    "replay": "make the edits of a recipe again",
     "check": "prove that a repaired file differs from its original in repaired samples alone",
     "bench": "measure speed: bench io, bench gui",
 }

@@ -6,7 +6,7 @@ import numpy as np
 
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.files import read_c3d
+from mocapmend.files import read_recording
 from mocapmend_algorithms import find_gaps
 
 
@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, console: Console) -> int:
     """Print every gap and return the exit code."""
-    source = read_c3d(arguments.file)
+    source = read_recording(arguments.file)
     common.show_warnings(source, console)
     recording = source.recording
     gaps = find_gaps(recording.present)

@@ -3,10 +3,12 @@
 import argparse
 from typing import Any
 
+import numpy as np
+
 from mocapmend import engine
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.files import C3DFile, Layout, Source
+from mocapmend.files import C3DFile, ForcePlate, Layout, Source
 from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.skeleton import Skeleton
 
@@ -63,6 +65,8 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
             for event in source.events
         ],
         "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
+        "repairs": [record.as_json() for record in source.repairs],
+        "force_plates": [_force_plate(plate, recording.mm) for plate in _force_plates(source)],
         "skeleton": {
             "name": skeleton.name,
             "source": skeleton.source,
@@ -73,6 +77,31 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
 
 def _numbers(layout: Layout) -> str:
     return "float" if layout.is_float else "integer"
+
+
+def _repairs(source: Source) -> str:
+    if source.provenance is None:
+        return "none that a repair record lists"
+    count = common.count(len(source.repaired), "gap")
+    return f"{count} filled by {source.provenance.program}"
+
+
+def _force_plates(source: Source) -> tuple[ForcePlate, ...]:
+    return source.force_plates if isinstance(source, C3DFile) else ()
+
+
+def _force_plate(plate: ForcePlate, mm: float) -> dict[str, Any]:
+    corners = plate.corners * mm
+    return {
+        "type": plate.type,
+        "corners_mm": corners.tolist() if np.isfinite(corners).all() else None,
+        "channels": [channel + 1 for channel in plate.channels],
+    }
+
+
+def _plates_in_words(plates: tuple[ForcePlate, ...]) -> str:
+    types = sorted({"unknown" if plate.type is None else str(plate.type) for plate in plates})
+    return f"{len(plates)}, of type {' and '.join(types)}" if plates else "0"
 
 
 def _markers(source: Source) -> list[dict[str, Any]]:
@@ -107,6 +136,8 @@ def _summary(source: Source, skeleton: Skeleton) -> list[str]:
         ("Model outputs", str(len(source.model_outputs))),
         ("Events", str(len(source.events))),
         ("Analog", f"{len(source.analog_labels)} channels, {source.analog_rate:g} Hz"),
+        ("Repairs", _repairs(source)),
+        ("Force plates", _plates_in_words(_force_plates(source))),
         ("Skeleton", f"{origin}, {common.count(len(skeleton.bones), 'bone')}"),
     ]
     return [f"{name + ':':<15}{text}" for name, text in lines]

@@ -1,6 +1,7 @@
 """What `repair` says about what it did: JSON, text, and the head of the report."""
 
 import dataclasses
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -8,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mocapmend.cli import check, common
+from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.engine import Exported
 from mocapmend.files import Source
@@ -40,6 +41,13 @@ class Outcome:
         )
 
     @property
+    def all_repairs(self) -> tuple[RepairRow, ...]:
+        """The gaps that the file's earlier repairs fill, and those that were filled now."""
+        known = zip(self.source.repaired, self.source.repairs, strict=True)
+        rows = [RepairRow.from_record(gap, record) for gap, record in known]
+        return tuple(sorted([*rows, *self.repairs], key=lambda row: row.gap))
+
+    @property
     def about(self) -> About:
         """The head of the report."""
         return About(
@@ -52,15 +60,15 @@ class Outcome:
 
     # --- JSON --------------------------------------------------------------------------------
 
-    def as_json(self, *, report: Path | None, samples: bool) -> dict[str, Any]:
+    def as_json(self, files: Mapping[str, Path | None], *, samples: bool) -> dict[str, Any]:
         """Return the document's content."""
-        recording, proof = self.source.recording, self.exported.check
+        recording = self.source.recording
         missing = int(np.count_nonzero(~recording.present))
         filled = sum(row.gap.length for row in self.repairs)
         return {
             **common.facts(self.source),
             "output": str(self.exported.saved.path),
-            "report": None if report is None else str(report),
+            **{name: None if path is None else str(path) for name, path in files.items()},
             "method": self.method.id,
             "parameters": dataclasses.asdict(self.params),
             "limits": {
@@ -77,9 +85,7 @@ class Outcome:
                 "samples_missing_before": missing,
                 "samples_missing_after": missing - filled,
             },
-            "notes": list(self.exported.saved.notes),
-            "second_reader": self.exported.second_reader,
-            "check": check.as_json(proof),
+            **common.written(self.exported),
         }
 
     def _gaps(self, *, samples: bool) -> list[dict[str, Any]]:
@@ -113,12 +119,13 @@ class Outcome:
 
     # --- text --------------------------------------------------------------------------------
 
-    def show(self, console: Console, *, report: Path | None) -> None:
+    def show(self, console: Console, files: Mapping[str, Path | None]) -> None:
         """Print it for people."""
-        saved, proof = self.exported.saved, self.exported.check
+        saved = self.exported.saved
         console.say(f"Repaired: {saved.path}")
-        if report is not None:
-            console.say(f"Report:   {report}")
+        for name, path in files.items():
+            if path is not None:
+                console.say(f"{name.capitalize() + ':':<10}{path}")
         console.say(f"Method:   {self._method_text()}")
         console.say(f"Limits:   {self._limits_text()}")
         total = len(self.repairs) + len(self.result.unfilled)
@@ -126,10 +133,8 @@ class Outcome:
             f"Filled:   {len(self.repairs)} of {common.count(total, 'gap')}, "
             f"{common.count(saved.samples, 'sample')}{self._worst()}"
         )
-        for note in (proof.sentence, self.exported.second_reader):
+        for note in self.exported.sentences:
             console.say(note)
-        for note in saved.notes:
-            console.warn(note)
         self._show_open_gaps(console)
 
     def _show_open_gaps(self, console: Console) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from mocapmend import engine
+from mocapmend import engine, recipe
 from mocapmend.cli import common, markers, outcome, target
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
@@ -27,7 +27,7 @@ DEFAULT_METHOD = "cubic"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the command takes."""
     parser.add_argument("file", type=Path, metavar="IN", help="a C3D file")
-    parser.add_argument("-o", "--output", type=Path, metavar="OUT", help="the repaired copy")
+    target.add_arguments(parser)
     parser.add_argument(
         "--method",
         type=_method,
@@ -62,16 +62,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--report", type=Path, metavar="FILE.html", help="write a report of what was done"
     )
     parser.add_argument(
+        "--recipe", type=Path, metavar="FILE", help="write down the edits, to be replayed"
+    )
+    parser.add_argument(
         "--samples", action="store_true", help="with --json: the 90%% radius of every sample"
-    )
-    parser.add_argument(
-        "--overwrite", action="store_true", help="replace OUT and the report if they exist"
-    )
-    parser.add_argument("--in-place", action="store_true", help="replace the recording itself")
-    parser.add_argument(
-        "--accept-truncated",
-        action="store_true",
-        help="save a recording that ends before it should",
     )
 
 
@@ -79,16 +73,20 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     """Repair a recording, say what was done, and return the exit code."""
     method: registry.Method = arguments.method
     params = _params(method, arguments.param)
-    out = target.choose(arguments)
+    out = target.choose(arguments, arguments.report, arguments.recipe)
     source = read_recording(arguments.file)
     common.show_warnings(source, console)
     _check_source(source, accept_truncated=arguments.accept_truncated)
     limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
     result = _fill(source, arguments.markers, method, params, limits, console)
     console.start("Writing")
+    changes = engine.changes_of(source, result, method.id, params)
+    if arguments.recipe is not None:
+        # Before the recording, which may be replaced by its repaired copy.
+        recipe.write_recipe(source, changes.repairs, arguments.recipe)
     exported = engine.export(
         source,
-        engine.runs_of(result),
+        changes,
         out,
         arguments.in_place,
         arguments.accept_truncated,
@@ -98,8 +96,9 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     if arguments.report is not None:
         console.start("Report")
         _write_report(done, arguments.report, console)
-    console.result(**done.as_json(report=arguments.report, samples=arguments.samples))
-    done.show(console, report=arguments.report)
+    files = {"report": arguments.report, "recipe": arguments.recipe}
+    console.result(**done.as_json(files, samples=arguments.samples))
+    done.show(console, files)
     return 0
 
 
@@ -168,8 +167,9 @@ def _fill(
     console: Console,
 ) -> FillResult:
     """Fill the gaps of the markers that were asked for; account for those of the others too."""
-    recording = source.recording
-    gaps = find_gaps(recording.present)
+    recording = source.measured
+    earlier = set(source.repaired)
+    gaps = [gap for gap in find_gaps(recording.present) if gap not in earlier]
     wanted = markers.choose(source, labels)
     console.start("Filling")
     result = engine.fill(
@@ -184,12 +184,11 @@ def _fill(
 
 
 def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:
-    before = done.source.recording
     engine.write_report(
-        before,
-        engine.repaired(before, done.result),
+        done.source.measured,
+        engine.repaired(done.source.recording, done.result),
         engine.find_skeleton(done.source, console.progress),
-        done.repairs,
+        done.all_repairs,
         done.result.unfilled,
         done.about,
         path,

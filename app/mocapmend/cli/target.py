@@ -1,4 +1,4 @@
-"""Where `repair` may write: nothing is lost by mistake, and nobody waits for a refusal."""
+"""Where a command may write: nothing is lost by mistake, and nobody waits for a refusal."""
 
 import argparse
 import os
@@ -9,8 +9,29 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files import same_file
 
 
-def choose(arguments: argparse.Namespace) -> Path:
-    """Return where the repaired recording goes, after checking it and the report's place.
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Let a command say where its result goes."""
+    parser.add_argument("-o", "--output", type=Path, metavar="OUT", help="the repaired copy")
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace what is there of the names given"
+    )
+    parser.add_argument("--in-place", action="store_true", help="replace the recording itself")
+    parser.add_argument(
+        "--accept-truncated",
+        action="store_true",
+        help="save a recording that ends before it should",
+    )
+
+
+def choose(arguments: argparse.Namespace, *others: Path | None) -> Path:
+    """Return where the repaired recording goes, after checking it and the other files' places.
+
+    Parameters
+    ----------
+    arguments : argparse.Namespace
+        Of `add_arguments`, with the recording as `file`.
+    *others : Path or None
+        What else will be written.
 
     Raises
     ------
@@ -21,7 +42,6 @@ def choose(arguments: argparse.Namespace) -> Path:
     """
     source: Path = arguments.file
     out: Path | None = arguments.output
-    report: Path | None = arguments.report
     if arguments.in_place:
         if out is not None and not same_file(out, source):
             raise UsageError("--in-place replaces IN itself: give no other OUT")
@@ -36,12 +56,16 @@ def choose(arguments: argparse.Namespace) -> Path:
                 "Choose another name, or add --in-place to replace it.",
             )
         _check_place(out, overwrite=arguments.overwrite)
-    if report is not None:
-        if same_file(report, source) or same_file(report, out):
+    taken = [source, out]
+    for other in others:
+        if other is None:
+            continue
+        if any(same_file(other, path) for path in taken):
             raise MocapmendError(
-                "The report would replace the recording.", str(report), "Choose another name."
+                "Two of the files would have the same name.", str(other), "Choose another name."
             )
-        _check_place(report, overwrite=arguments.overwrite)
+        _check_place(other, overwrite=arguments.overwrite)
+        taken.append(other)
     return out
 
 

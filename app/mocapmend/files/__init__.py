@@ -2,29 +2,41 @@
 
 from mocapmend.files.atomic import same_file
 from mocapmend.files.c3d_encode import SampleRun
+from mocapmend.files.c3d_force_plates import ForcePlate
 from mocapmend.files.c3d_layout import Layout
-from mocapmend.files.c3d_patch import Saved, save_patched
+from mocapmend.files.c3d_new import write_new_c3d
+from mocapmend.files.c3d_patch import save_patched
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
 from mocapmend.files.formats import read_recording
 from mocapmend.files.opening import Stamp
+from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.saving import Saved
 from mocapmend.files.second_reader import confirm_with_c3d
 from mocapmend.files.source import Event, Source
+from mocapmend.files.writing import WRITTEN, patches, write_recording
 
 __all__ = [
+    "WRITTEN",
     "C3DFile",
     "ChangedRun",
     "CheckReport",
     "Event",
+    "ForcePlate",
     "Layout",
+    "Provenance",
+    "RepairRecord",
     "SampleRun",
     "Saved",
     "Source",
     "Stamp",
     "check_files",
     "confirm_with_c3d",
+    "patches",
     "read_c3d",
     "read_recording",
     "same_file",
     "save_patched",
+    "write_new_c3d",
+    "write_recording",
 ]

@@ -57,6 +57,15 @@ def same_file(first: Path, second: Path) -> bool:
         return os.path.realpath(first) == os.path.realpath(second)
 
 
+def not_as_written(path: Path, what: str) -> MocapmendError:
+    """Return the error of a verification that found something else than what was written."""
+    return MocapmendError(
+        f"The file did not read back as it was written ({what}); it was removed.",
+        str(path.parent),
+        "Check the disk, or choose another one.",
+    )
+
+
 def _write_through(temporary: Path, target: Path, write: Callable[[BinaryIO], None]) -> None:
     """Create the temporary file, fill it and bring it to the disk."""
     # "x" creates it with the permissions that the user's umask gives, unlike the tempfile module.

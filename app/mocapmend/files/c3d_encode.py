@@ -68,8 +68,26 @@ class Slots:
         return slice(int(start), int(stop))
 
 
-def encode_runs(source: C3DFile, runs: Sequence[SampleRun]) -> Slots:
-    """Encode runs for the file that they repair; where runs overlap, the last one counts.
+def fits(source: C3DFile, runs: Sequence[SampleRun]) -> bool:
+    """Say whether the integers of a file, if it has them, can hold all values."""
+    layout = source.layout
+    if layout.is_float:
+        return True
+    limit = 32767.5 * layout.scale
+    return all(np.nanmax(np.abs(run.values), initial=0.0) < limit for run in runs)
+
+
+def encode_runs(source: C3DFile, runs: Sequence[SampleRun], layout: Layout | None = None) -> Slots:
+    """Encode runs for a copy of the file that they repair; where they overlap, the last one counts.
+
+    Parameters
+    ----------
+    source : C3DFile
+        The file.
+    runs : sequence of SampleRun
+        What to write.
+    layout : Layout, optional
+        Of the copy, where it is not that of the file.
 
     A filled sample gets the fourth word 0: computed, seen by no camera. A missing one gets
     coordinates 0 and the fourth word -1, which every reader understands.
@@ -81,7 +99,7 @@ def encode_runs(source: C3DFile, runs: Sequence[SampleRun]) -> Slots:
     ValueError
         If a run lies outside the recording or its values are not samples.
     """
-    layout = source.layout
+    layout = layout or source.layout
     frames, markers, values = _flatten(source, runs)
     points = np.array(source.marker_points, np.int64)[markers]
     missing = np.isnan(values[:, 0])
@@ -135,19 +153,41 @@ def _words(
     values: NDArray[np.float64], present: NDArray[np.bool_], layout: Layout
 ) -> tuple[Words, NDArray[np.bool_], NDArray[np.float64]]:
     """Return the words (n, 4), which samples would read as missing, and where these went."""
-    kind = np.float32 if layout.is_float else np.int16
-    words = np.zeros((len(values), 4), kind)
+    words = np.zeros((len(values), 4), np.float32 if layout.is_float else np.int16)
     words[:, :3] = values if layout.is_float else np.rint(values / layout.scale)
-    zeros = present & ~words[:, :3].any(axis=1)
-    if not zeros.any():
-        return words, zeros, np.zeros((0, 3))
-    at = np.flatnonzero(zeros)
-    axis = np.abs(values[at]).argmax(axis=1)
-    sign = np.where(values[at, axis] < 0, -1, 1)
-    words[at, :3] = 0
-    words[at, axis] = sign * (NOT_ZERO if layout.is_float else 1)
+    zeros = move_from_zero(words, values, present, NOT_ZERO if layout.is_float else 1)
     step = 1.0 if layout.is_float else layout.scale
-    return words, zeros, words[at, :3].astype(np.float64) * step
+    return words, zeros, words[zeros, :3].astype(np.float64) * step
+
+
+def move_from_zero(
+    words: Words, values: NDArray[np.float64], present: NDArray[np.bool_], step: float
+) -> NDArray[np.bool_]:
+    """Move the present samples that would read as missing, in place.
+
+    Parameters
+    ----------
+    words : ndarray, shape (n, 4)
+        The samples as they are stored; changed.
+    values : ndarray, shape (n, 3)
+        The coordinates before they were rounded; they say in which direction.
+    present : ndarray of bool, shape (n,)
+        Which samples are not missing.
+    step : float
+        How far, in the unit of the words.
+
+    Returns
+    -------
+    ndarray of bool, shape (n,)
+        Which samples were moved.
+    """
+    zeros: NDArray[np.bool_] = present & ~words[:, :3].any(axis=1)
+    at = np.flatnonzero(zeros)
+    if len(at):
+        axis = np.abs(values[at]).argmax(axis=1)
+        words[at, :3] = 0
+        words[at, axis] = np.where(values[at, axis] < 0, -step, step)
+    return zeros
 
 
 def _does_not_fit(

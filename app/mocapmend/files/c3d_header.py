@@ -14,6 +14,7 @@ from mocapmend.files.c3d_parameters import Parameters
 
 MOST_FIRST = 1_000_000_000
 """No recording is that long: a larger number of the first frame is damage."""
+HIGHEST_RATE = 1e6
 BLOCK = 512
 ASSUMED_RATE = 100.0
 
@@ -34,6 +35,8 @@ class Header:
         The block where the data begin, counted from 1.
     analog_samples : int
         Analog samples per frame and channel.
+    label_ranges_key : int
+        Says whether the file has a section of labels and ranges.
     event_words : bytes
         The part of the block that holds events.
     """
@@ -46,6 +49,7 @@ class Header:
     data_block: int
     analog_samples: int
     rate: float
+    label_ranges_key: int
     event_words: bytes
 
 
@@ -54,7 +58,10 @@ def read_header(block: bytes, processor: Processor) -> Header:
     points, analog, first, last, _ = struct.unpack_from(processor.byte_order + "5H", block, 2)
     data_block, samples = struct.unpack_from(processor.byte_order + "2H", block, 16)
     scale, _, rate = decode_floats(block[12:24], processor).tolist()
-    return Header(points, analog, first, last, scale, data_block, samples, rate, block[298:468])
+    (key,) = struct.unpack_from(processor.byte_order + "H", block, 294)
+    return Header(
+        points, analog, first, last, scale, data_block, samples, rate, key, block[298:468]
+    )
 
 
 def point_scale(header: Header, parameters: Parameters, warnings: list[str]) -> float:
@@ -81,7 +88,7 @@ def point_scale(header: Header, parameters: Parameters, warnings: list[str]) -> 
 def frame_rate(header: Header, parameters: Parameters, warnings: list[str]) -> float:
     """Return the frames per second: the parameter's, else the header's."""
     stated = parameters.number("POINT:RATE")
-    usable = [v for v in (stated, header.rate) if v is not None and 0 < v < 1e6]
+    usable = [v for v in (stated, header.rate) if v is not None and 0 < v < HIGHEST_RATE]
     if not usable:
         warnings.append(f"The file states no frame rate; {ASSUMED_RATE:g} Hz is assumed.")
         return ASSUMED_RATE

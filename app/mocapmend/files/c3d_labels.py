@@ -7,6 +7,7 @@ import numpy as np
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_numbers import decode_floats
 from mocapmend.files.c3d_parameters import decode_text
+from mocapmend.files.labels import complete_labels
 from mocapmend.files.source import Event
 
 MODEL_GROUPS = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS")
@@ -16,22 +17,7 @@ HEADER_EVENTS = 18
 
 def point_labels(layout: Layout, warnings: list[str]) -> tuple[str, ...]:
     """Return one label per stored point, "point N" where the file has none."""
-    stated = layout.parameters.texts("POINT:LABELS")[: layout.points]
-    labels = tuple(text or f"point {i}" for i, text in enumerate(stated, 1))
-    if len(stated) < layout.points:
-        warnings.append(
-            f"The file names {len(stated)} of its {layout.points} points; the others are "
-            "called by their number."
-        )
-        labels += tuple(f"point {i}" for i in range(len(stated) + 1, layout.points + 1))
-    repeated = len(labels) - len(set(labels))
-    if repeated:
-        warnings.append(
-            "1 point has the label of another point."
-            if repeated == 1
-            else f"{repeated} points have the label of another point."
-        )
-    return labels
+    return complete_labels(layout.parameters.texts("POINT:LABELS"), layout.points, warnings)
 
 
 def model_points(layout: Layout, labels: tuple[str, ...]) -> frozenset[int]:
@@ -51,6 +37,12 @@ def analog_labels(layout: Layout) -> tuple[str, ...]:
     stated = layout.parameters.texts("ANALOG:LABELS")[: layout.channels]
     padded = stated + ("",) * (layout.channels - len(stated))
     return tuple(text or f"channel {i}" for i, text in enumerate(padded, 1))
+
+
+def analog_units(layout: Layout) -> tuple[str, ...]:
+    """Return one unit per analog channel as the file writes it, empty where it has none."""
+    stated = layout.parameters.texts("ANALOG:UNITS")[: layout.channels]
+    return stated + ("",) * (layout.channels - len(stated))
 
 
 def read_events(layout: Layout) -> tuple[Event, ...]:
@@ -82,7 +74,7 @@ def _group_events(layout: Layout) -> list[Event]:
             layout,
             labels[i] if i < len(labels) else "",
             contexts[i] if i < len(contexts) else "",
-            60.0 * times[2 * i] + times[2 * i + 1],
+            float(60.0 * times[2 * i] + times[2 * i + 1]),
         )
         for i in range(count)
         if np.isfinite(times[2 * i : 2 * i + 2]).all()

@@ -37,6 +37,8 @@ class Parameter:
         The data, as many of them as the file has.
     start, stop : int
         Where its record lies in the file, in bytes.
+    data : int
+        Where its data begin in the file.
     """
 
     kind: int
@@ -45,6 +47,7 @@ class Parameter:
     processor: Processor
     start: int
     stop: int
+    data: int
 
     @cached_property
     def texts(self) -> tuple[str, ...]:
@@ -125,15 +128,27 @@ class Parameters(Mapping[str, Parameter]):
 
 
 @dataclass(frozen=True)
-class _Record:
+class Record:
+    """The head of a record.
+
+    Attributes
+    ----------
+    name : str
+        In upper case.
+    group : int
+        Number of its group; negative for the group itself.
+    body, following : int
+        Where its content and the next record begin.
+    """
+
     name: str
     group: int
     body: int
     following: int
 
 
-def _record(raw: bytes, at: int, processor: Processor) -> _Record | None:
-    """Read the head of the record at a place in the section; None after the last one."""
+def read_record(raw: bytes, at: int, processor: Processor) -> Record | None:
+    """Read the head of the record at a place; None after the last one."""
     if at + 5 > len(raw):
         return None
     length, group = struct.unpack_from("bb", raw, at)
@@ -144,7 +159,7 @@ def _record(raw: bytes, at: int, processor: Processor) -> _Record | None:
     name = decode_text(raw[at + 2 : link]).upper()
     # An offset of 0 marks the last record; offsets 1 and 2 can only be damage.
     following = link + offset if offset > 2 else len(raw)
-    return _Record(name, group, link + 2, following)
+    return Record(name, group, link + 2, following)
 
 
 def parse_parameters(raw: bytes, base: int, processor: Processor) -> Parameters:
@@ -170,7 +185,7 @@ def parse_parameters(raw: bytes, base: int, processor: Processor) -> Parameters:
     groups: dict[int, str] = {}
     found: list[tuple[int, str, Parameter]] = []
     at = stop = 0
-    while (record := _record(raw, at, processor)) is not None:
+    while (record := read_record(raw, at, processor)) is not None:
         stop = min(record.following, len(raw))
         if record.group < 0:
             groups.setdefault(-record.group, record.name)
@@ -190,7 +205,7 @@ def parse_parameters(raw: bytes, base: int, processor: Processor) -> Parameters:
 
 
 def _parameter(
-    raw: bytes, base: int, at: int, record: _Record, processor: Processor
+    raw: bytes, base: int, at: int, record: Record, processor: Processor
 ) -> Parameter | None:
     if record.body + 2 > len(raw):
         return None
@@ -201,4 +216,6 @@ def _parameter(
     dimensions = tuple(raw[record.body + 2 : data])
     stop = min(data + abs(kind) * prod(dimensions), record.following, len(raw))
     last = stop if record.following >= len(raw) else record.following
-    return Parameter(kind, dimensions, raw[data:stop], processor, base + at, base + last)
+    return Parameter(
+        kind, dimensions, raw[data:stop], processor, base + at, base + last, base + data
+    )

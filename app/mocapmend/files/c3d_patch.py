@@ -1,7 +1,8 @@
 """Saving repairs: the bytes of the source, in which only the repaired samples are replaced."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
@@ -9,37 +10,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files.atomic import same_file, write_atomically
-from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs
+from mocapmend.files import sidecar
+from mocapmend.files.atomic import not_as_written, write_atomically
+from mocapmend.files.c3d_encode import SampleRun, Slots, encode_runs, fits
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_reader import C3DFile
 from mocapmend.files.c3d_samples import (
+    Piece,
+    as_float_block,
     coordinates,
+    fill,
     point_slots,
     point_words,
     read_pieces,
 )
+from mocapmend.files.c3d_target import Target, plan
 from mocapmend.files.opening import changed_on_disk, open_file
+from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.saving import Saved, check_place
 from mocapmend_algorithms.progress import Progress, no_progress
 
-
-@dataclass(frozen=True)
-class Saved:
-    """What was written.
-
-    Attributes
-    ----------
-    path : Path
-        The new file.
-    samples : int
-        Number of samples that were replaced.
-    notes : tuple of str
-        What the user should know about it.
-    """
-
-    path: Path
-    samples: int
-    notes: tuple[str, ...]
+NO_HASH = "0" * 64
+"""Holds the place of a hash that is not known yet."""
 
 
 @np.errstate(all="ignore")
@@ -48,24 +40,27 @@ def save_patched(
     runs: Sequence[SampleRun],
     out: Path,
     *,
+    repairs: Sequence[RepairRecord] = (),
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
-    confirm: Callable[[Path], None] | None = None,
+    confirm: Callable[[Path, Provenance | None], None] | None = None,
 ) -> Saved:
     """Save a copy of a file in which only the given samples differ.
 
     The copy is read back and compared before it gets its name. Without runs it is the same,
-    byte for byte.
+    byte for byte. Integers that cannot hold a repair become floats.
 
     Parameters
     ----------
     source : C3DFile
         The file, as it was read.
     runs : sequence of SampleRun
-        The repaired samples.
+        The samples to be written.
     out : Path
         Where the copy goes.
+    repairs : sequence of RepairRecord
+        All repairs that the copy will have, for its repair record.
     replace_source : bool
         Whether `out` may be the source itself.
     accept_truncated : bool
@@ -73,7 +68,8 @@ def save_patched(
     progress : Progress
         Called often; may cancel.
     confirm : callable, optional
-        Called with the finished copy before it gets its name; what it raises prevents that.
+        Called with the finished copy and its repair record before it gets its name; what it
+        raises prevents that.
 
     Returns
     -------
@@ -85,13 +81,6 @@ def save_patched(
     MocapmendError
         If it cannot be saved. Then nothing is left behind.
     """
-    layout = source.layout
-    if source.truncated and not accept_truncated:
-        raise MocapmendError(
-            f"The file is truncated: {layout.frames} of {layout.frames_promised} frames are there.",
-            str(source.path),
-            "Confirm that you want to save it all the same (--accept-truncated).",
-        )
     out = Path(out)
     if not source.path.exists():
         raise MocapmendError(
@@ -99,74 +88,129 @@ def save_patched(
             str(source.path),
             "Put it back under this name, then save again.",
         )
-    if not replace_source and same_file(out, source.path):
-        raise MocapmendError(
-            "This is the file that the data come from.", str(out), "Choose another name."
-        )
-    slots = encode_runs(source, runs)
+    check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
+    to_float = not fits(source, runs)
+    provenance = _provenance(source, runs, repairs, to_float=to_float)
+    target = plan(source, provenance, to_float=to_float)
+    slots = encode_runs(source, runs, target.layout)
+    copy = _Copy(source, slots, target, provenance, progress)
 
-    def verify(copy: Path) -> None:
-        _verify(source, slots, copy, lambda share: progress(0.5 + 0.5 * share))
+    def verify(written: Path) -> None:
+        copy.verify(written)
         if confirm is not None:
-            confirm(copy)
+            confirm(written, copy.provenance)
+        if target.record == "sidecar" and copy.provenance is not None:
+            sidecar.write(out, copy.provenance, sidecar.hash_file(written))
 
-    write_atomically(
-        out,
-        lambda stream: _write(source, slots, stream, lambda share: progress(0.5 * share)),
-        verify,
-    )
-    return Saved(out, len(slots), slots.notes)
-
-
-def _write(
-    source: C3DFile, slots: Slots, target: BinaryIO, report: Callable[[float], None]
-) -> None:
-    """Write the patched copy."""
-    layout = source.layout
-    with open_file(source.path) as (stream, stamp):
-        if stamp != source.stamp:
-            raise changed_on_disk(source.path)
-        for piece in read_pieces(stream, layout, str(source.path)):
-            report(piece.offset / layout.size)
-            if piece.frame is not None:
-                inside = slots.within(piece.frame, len(piece.raw))
-                place = point_slots(piece.raw, layout)
-                place[slots.frames[inside] - piece.frame, slots.points[inside]] = slots.raw[inside]
-            target.write(piece.raw.data)
+    write_atomically(out, copy.write, verify)
+    if target.record != "sidecar":
+        sidecar.remove(out)
+    return Saved(out, len(slots), slots.notes, to_float, target.record)
 
 
-def _verify(source: C3DFile, slots: Slots, path: Path, report: Callable[[float], None]) -> None:
-    """Read the copy back: everything else is as in the source, the samples are as given.
+def _provenance(
+    source: C3DFile, runs: Sequence[SampleRun], repairs: Sequence[RepairRecord], *, to_float: bool
+) -> Provenance | None:
+    """Return the repair record of the copy; the hash of the source is not known yet."""
+    former = source.provenance
+    if not runs or (former is None and not repairs and not to_float):
+        return former
+    inputs = () if former is None else former.inputs
+    converted = to_float or (former is not None and former.converted)
+    ordered = sorted(repairs, key=lambda record: (record.point, record.first_frame))
+    return Provenance(tuple(ordered), (*inputs, NO_HASH), converted)
 
-    Raises
-    ------
-    MocapmendError
-        If it is not so.
+
+class _Copy:
+    """The copy that is being written.
+
+    Attributes
+    ----------
+    provenance : Provenance or None
+        Its repair record; complete when it is written.
     """
-    layout = source.layout
-    with (
-        open_file(source.path) as (original, stamp),
-        open_file(path) as (saved, saved_stamp),
-    ):
-        if stamp != source.stamp:
-            raise changed_on_disk(source.path)
-        if saved_stamp.size != stamp.size:
-            raise _not_as_written(path, "its size")
-        pairs = zip(
-            read_pieces(original, layout, str(source.path)),
-            read_pieces(saved, layout, str(path)),
-            strict=True,
-        )
-        for before, after in pairs:
-            report(after.offset / layout.size)
-            if before.frame is not None:
-                inside = slots.within(before.frame, len(before.raw))
-                at = slots.frames[inside] - before.frame, slots.points[inside]
-                _check_samples(after.raw, at, slots.values[inside], layout, path)
-                point_slots(before.raw, layout)[at] = point_slots(after.raw, layout)[at]
-            if not np.array_equal(before.raw, after.raw):
-                raise _not_as_written(path, "bytes outside the repaired samples")
-    report(1.0)
+
+    def __init__(
+        self,
+        source: C3DFile,
+        slots: Slots,
+        target: Target,
+        provenance: Provenance | None,
+        progress: Progress,
+    ) -> None:
+        self.provenance = provenance
+        self._source = source
+        self._slots = slots
+        self._target = target
+        self._progress = progress
+        self._unsigned = source.analog_unsigned
+
+    def write(self, stream: BinaryIO) -> None:
+        """Write it, and hash the source meanwhile."""
+        with ThreadPoolExecutor(max_workers=1) as hashing:
+            unknown = self.provenance is not None and NO_HASH in self.provenance.inputs
+            digest = hashing.submit(sidecar.hash_file, self._source.path) if unknown else None
+            stream.writelines(piece.raw.data for piece in self._pieces(0.0))
+            if digest is not None:
+                self._set_hash(digest.result())
+                stream.seek(0)
+                stream.write(self._target.head)
+
+    def _set_hash(self, digest: str) -> None:
+        assert self.provenance is not None
+        inputs = (*self.provenance.inputs[:-1], digest)
+        self.provenance = replace(self.provenance, inputs=inputs)
+        # Of the same size as before: all hashes have as many digits.
+        self._target = plan(self._source, self.provenance, to_float=self._target.to_float)
+
+    def verify(self, path: Path) -> None:
+        """Read it back: the samples are as given, and everything else is as in the source.
+
+        Raises
+        ------
+        MocapmendError
+            If it is not so.
+        """
+        layout = self._target.layout
+        with open_file(path) as (stream, stamp):
+            if stamp.size != layout.size:
+                raise not_as_written(path, "its size")
+            for expected in self._pieces(0.5):
+                read = np.empty(expected.raw.shape, np.uint8)
+                fill(stream, read, str(path))
+                if expected.frame is not None:
+                    inside = self._slots.within(expected.frame, len(read))
+                    at = self._slots.frames[inside] - expected.frame, self._slots.points[inside]
+                    _check_samples(read, at, self._slots.values[inside], layout, path)
+                if not np.array_equal(expected.raw, read):
+                    raise not_as_written(path, "bytes outside the repaired samples")
+        self._progress(1.0)
+
+    def _pieces(self, done: float) -> Iterator[Piece]:
+        """Yield all that the copy consists of."""
+        source, target = self._source, self._target
+        yield Piece(0, None, np.frombuffer(target.head, np.uint8))
+        with open_file(source.path) as (stream, stamp):
+            if stamp != source.stamp:
+                raise changed_on_disk(source.path)
+            for piece in read_pieces(stream, source.layout, str(source.path)):
+                self._progress(done + 0.5 * piece.offset / source.layout.size)
+                if piece.frame is not None:
+                    yield self._patched(piece, piece.frame)
+                elif piece.offset >= source.layout.data_start:
+                    yield piece
+        yield Piece(target.layout.size, None, np.zeros(target.padding, np.uint8))
+
+    def _patched(self, piece: Piece, frame: int) -> Piece:
+        raw = piece.raw
+        if self._target.to_float:
+            raw = as_float_block(raw, self._source.layout, unsigned=self._unsigned)
+        inside = self._slots.within(frame, len(raw))
+        place = point_slots(raw, self._target.layout)
+        place[self._slots.frames[inside] - frame, self._slots.points[inside]] = self._slots.raw[
+            inside
+        ]
+        return Piece(piece.offset, frame, raw)
 
 
 def _check_samples(
@@ -189,12 +233,4 @@ def _check_samples(
         allowed = 0.5 * layout.scale + np.spacing(np.abs(expected))
         same = (np.abs(read.astype(np.float64) - expected) <= allowed).all()
     if not (same and np.array_equal(words[:, 3], fourth)):
-        raise _not_as_written(path, "repaired samples")
-
-
-def _not_as_written(path: Path, what: str) -> MocapmendError:
-    return MocapmendError(
-        f"The file did not read back as it was written ({what}); it was removed.",
-        str(path.parent),
-        "Check the disk, or choose another one.",
-    )
+        raise not_as_written(path, "repaired samples")

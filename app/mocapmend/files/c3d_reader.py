@@ -9,9 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
+from mocapmend.files.c3d_force_plates import ForcePlate, read_force_plates
+from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
     analog_labels,
+    analog_units,
     model_points,
     point_labels,
     read_events,
@@ -26,9 +29,12 @@ from mocapmend.files.c3d_samples import (
     residual_steps,
     unmarked_missing,
 )
-from mocapmend.files.c3d_space import length_unit, up_axis
+from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import changed_on_disk, open_file
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
+from mocapmend.files.space import length_unit
 from mocapmend_algorithms.recording import Recording
 
 
@@ -44,11 +50,27 @@ class C3DFile(Source):
         The stored point of each marker of the recording.
     residuals : ndarray, shape (frames, markers), float32
         Residuals in the recording's unit, NaN where the marker is missing.
+    force_plates : tuple of ForcePlate
+        In the order of the file.
+    analog_units : tuple of str
+        One per analog channel, as the file writes it; empty where it has none.
     """
 
     layout: Layout
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
+    force_plates: tuple[ForcePlate, ...] = ()
+    analog_units: tuple[str, ...] = ()
+
+    @property
+    def stored_points(self) -> tuple[int, ...]:
+        """The stored point, from 0, that each marker is."""
+        return self.marker_points
+
+    @property
+    def analog_unsigned(self) -> bool:
+        """Whether integers of analog data have no sign."""
+        return analog_unsigned(self.layout)
 
     @np.errstate(all="ignore")
     def read_analog(self) -> NDArray[np.float64]:
@@ -61,7 +83,7 @@ class C3DFile(Source):
         """
         parameters = self.layout.parameters
         channels = self.layout.channels
-        unsigned = parameters.text("ANALOG:FORMAT").upper() == "UNSIGNED"
+        unsigned = self.analog_unsigned
         offset = parameters.numbers("ANALOG:OFFSET", unsigned=unsigned)[:channels]
         scale = parameters.numbers("ANALOG:SCALE")[:channels]
         general = parameters.number("ANALOG:GEN_SCALE")
@@ -97,9 +119,11 @@ def read_c3d(path: Path) -> C3DFile:
             raise MocapmendError(
                 "The recording does not fit into memory.", str(path), "Close other programs."
             ) from None
+    force_plates = read_force_plates(layout, warnings)
     if not (markers and layout.frames):
         warnings.append("The file holds no marker data: there is nothing to repair.")
-    return C3DFile(
+    stated = _repair_record(layout, warnings)
+    source = C3DFile(
         path=path,
         kind="C3D",
         layout=layout,
@@ -107,20 +131,36 @@ def read_c3d(path: Path) -> C3DFile:
             points,
             tuple(labels[i] for i in markers),
             layout.rate,
-            unit=length_unit(points, layout.parameters, warnings),
+            unit=length_unit(points, layout.parameters.text("POINT:UNITS"), warnings),
             up=up_axis(points, layout.parameters, warnings),
             first_frame=layout.first_frame,
         ),
         marker_points=markers,
         residuals=residuals,
+        force_plates=force_plates,
         model_outputs=tuple(labels[i] for i in sorted(models)),
         events=read_events(layout),
         analog_labels=analog_labels(layout),
+        analog_units=analog_units(layout),
         analog_rate=layout.analog_rate,
         warnings=tuple(warnings),
         frames_promised=layout.frames_promised,
         stamp=stamp,
     )
+    return with_repairs(source, stated)
+
+
+def analog_unsigned(layout: Layout) -> bool:
+    """Say whether integers of analog data have no sign."""
+    return layout.parameters.text("ANALOG:FORMAT").upper() == "UNSIGNED"
+
+
+def _repair_record(layout: Layout, warnings: list[str]) -> Provenance | None:
+    try:
+        return decode_group(layout.parameters)
+    except ValueError as error:
+        warnings.append(f"The file's repair record cannot be used: {error}.")
+        return None
 
 
 def _about_size(layout: Layout) -> Iterator[str]:
@@ -130,7 +170,8 @@ def _about_size(layout: Layout) -> Iterator[str]:
             f"but only {layout.frames} are there."
         )
     left = layout.size - layout.data_stop
-    if left > BLOCK and layout.data_start > layout.parameters_start:
+    # Up to two blocks may be padding.
+    if left > 2 * BLOCK and layout.data_start > layout.parameters_start:
         yield f"{left} bytes follow the last frame; they are kept as they are."
 
 

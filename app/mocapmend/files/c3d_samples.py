@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files.c3d_layout import Layout
-from mocapmend.files.c3d_numbers import decode_floats, decode_integers
+from mocapmend.files.c3d_numbers import decode_floats, decode_integers, encode_floats
 from mocapmend.files.opening import cannot_read
 
 BLOCK_BYTES = 1 << 20
@@ -78,13 +78,24 @@ def read_pieces(stream: FileIO, layout: Layout, where: str) -> Iterator[Piece]:
     MocapmendError
         If the file ends early or cannot be read.
     """
-    yield from _read_part(stream, 0, layout.data_start, where)
+    yield from read_part(stream, 0, layout.data_start, where)
     for first, block in read_blocks(stream, layout, where):
         yield Piece(layout.data_start + first * layout.frame_bytes, first, block)
-    yield from _read_part(stream, layout.data_stop, layout.size, where)
+    yield from read_part(stream, layout.data_stop, layout.size, where)
 
 
-def _read_part(stream: FileIO, start: int, stop: int, where: str) -> Iterator[Piece]:
+def read_frames(
+    stream: FileIO, layout: Layout, first: int, count: int, where: str
+) -> NDArray[np.uint8]:
+    """Read some frames, shape (count, layout.frame_bytes)."""
+    block = np.empty((count, layout.frame_bytes), np.uint8)
+    stream.seek(layout.data_start + first * layout.frame_bytes)
+    fill(stream, block, where)
+    return block
+
+
+def read_part(stream: FileIO, start: int, stop: int, where: str) -> Iterator[Piece]:
+    """Yield the bytes from `start` up to `stop`."""
     stream.seek(start)
     for offset in range(start, stop, BLOCK_BYTES):
         raw = np.empty(min(BLOCK_BYTES, stop - offset), np.uint8)
@@ -136,6 +147,35 @@ def coordinates(words: Words, layout: Layout, axis: int) -> NDArray[np.float32]:
     if layout.is_float:
         return words[..., axis]
     return np.multiply(words[..., axis], np.float32(layout.scale), dtype=np.float32)
+
+
+def as_float_block(
+    block: NDArray[np.uint8], layout: Layout, *, unsigned: bool
+) -> NDArray[np.uint8]:
+    """Encode a block of integers as floats: coordinates scaled, all else as it is.
+
+    Parameters
+    ----------
+    block : ndarray of uint8, shape (frames, layout.frame_bytes)
+    layout : Layout
+        Of the integers.
+    unsigned : bool
+        Whether analog values are unsigned.
+
+    Returns
+    -------
+    ndarray of uint8, shape (frames, 2 * layout.frame_bytes)
+    """
+    width = layout.frame_bytes // 2
+    floats = np.empty((len(block), width), np.float32)
+    words = point_words(block, layout)
+    points = floats[:, : 4 * layout.points].reshape(words.shape)
+    for axis in range(3):
+        points[..., axis] = coordinates(words, layout, axis)
+    points[..., 3] = words[..., 3]
+    analog = block[:, layout.points * layout.slot :]
+    floats[:, 4 * layout.points :] = decode_integers(analog, layout.processor, unsigned=unsigned)
+    return encode_floats(floats, layout.processor).reshape(len(block), 4 * width)
 
 
 def marked_missing(fourth: Words) -> NDArray[np.bool_]:

@@ -1,27 +1,22 @@
-"""Proof that a repaired file differs from its original only in repaired samples."""
+"""Proof that a repaired file differs from its original only where it may."""
 
-from collections import Counter
 from collections.abc import Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.files.c3d_header import BLOCK
+from mocapmend.errors import MocapmendError
+from mocapmend.files import sidecar
+from mocapmend.files.alignment import Alignment, Side, align, pairs, read_side
+from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_labels import analog_labels, model_points, point_labels
-from mocapmend.files.c3d_layout import Layout, read_layout
-from mocapmend.files.c3d_samples import (
-    Piece,
-    Words,
-    marked_missing,
-    point_slots,
-    point_words,
-    read_pieces,
-    unmarked_missing,
-)
+from mocapmend.files.c3d_layout import Layout
+from mocapmend.files.findings import Findings
 from mocapmend.files.opening import open_file
+from mocapmend.files.provenance import Provenance
 from mocapmend_algorithms.gaps import runs
 
 
@@ -56,20 +51,23 @@ class CheckReport:
         among the other differences.
     changed_samples : int
         How many they are.
+    allowed : tuple of str
+        What else differs and may: the repair record, integers that became floats.
     other_differences : tuple of str
-        Everything else that differs, as sentences.
+        Everything that differs and may not, as sentences.
     identical : bool
         Whether the files are the same, byte for byte.
     """
 
     changed: tuple[ChangedRun, ...]
     changed_samples: int
+    allowed: tuple[str, ...]
     other_differences: tuple[str, ...]
     identical: bool
 
     @property
     def passed(self) -> bool:
-        """Whether nothing differs but marker samples that were missing and are filled."""
+        """Whether nothing differs but what may."""
         return not self.other_differences
 
     @property
@@ -78,6 +76,11 @@ class CheckReport:
         if self.identical:
             return "The files are the same, byte for byte."
         samples = f"{self.changed_samples} marker sample" + "s" * (self.changed_samples != 1)
+        if self.passed and self.allowed:
+            return (
+                f"Check passed: {samples} changed; but for the differences that are allowed, all "
+                "else is the same."
+            )
         if self.passed:
             return f"Check passed: {samples} changed; all else is the same, byte for byte."
         others = len(self.other_differences)
@@ -85,100 +88,61 @@ class CheckReport:
         return f"Check failed: {samples} changed, and there is more: {more}."
 
 
-class _Findings:
-    """What differs, collected piece by piece."""
-
-    def __init__(self, layout: Layout) -> None:
-        self.layout = layout
-        self.changed = np.zeros((layout.frames, layout.points), np.bool_)
-        self.measured = np.zeros_like(self.changed)
-        self.unmarked = np.zeros_like(self.changed)
-        self.empty = np.zeros_like(self.changed)
-        self.analog = np.zeros(layout.channels, np.int64)
-        self.places: Counter[str] = Counter()
-        self._parts = _parts(layout)
-
-    def add(self, before: Piece, after: Piece) -> None:
-        """Note where two pieces differ."""
-        if before.frame is None:
-            offsets = before.offset + np.flatnonzero(before.raw != after.raw)
-            starts = [start for start, _ in self._parts]
-            counts = np.bincount(np.searchsorted(starts, offsets, "right") - 1)
-            for at in np.flatnonzero(counts).tolist():
-                self.places[self._parts[at][1]] += int(counts[at])
-            return
-        layout = self.layout
-        here = slice(before.frame, before.frame + len(before.raw))
-        # Wider words than bytes: a quarter of the time.
-        slots = _differs(point_slots(before.raw, layout), point_slots(after.raw, layout), 8)
-        self.changed[here] = slots.any(axis=2)
-        words = point_words(after.raw, layout)
-        self.measured[here] = self.changed[here] & ~_missing(point_words(before.raw, layout))
-        self.unmarked[here] = self.changed[here] & (words[..., 3] != 0)
-        self.empty[here] = self.changed[here] & _missing(words)
-        if layout.channels:
-            start = layout.points * layout.slot
-            values = _differs(before.raw[:, start:], after.raw[:, start:], layout.word)
-            self.analog += values.reshape(-1, layout.channels).sum(axis=0)
-
-
-def _missing(words: Words) -> NDArray[np.bool_]:
-    marked = marked_missing(np.ascontiguousarray(words[..., 3]))
-    missing: NDArray[np.bool_] = marked | unmarked_missing(words, marked)
-    return missing
-
-
-def _differs(before: NDArray[np.uint8], after: NDArray[np.uint8], size: int) -> NDArray[np.bool_]:
-    """Return which words of `size` bytes along the last axis differ."""
-    different: NDArray[np.bool_] = before.view(f"u{size}") != after.view(f"u{size}")
-    return different
-
-
-def _parts(layout: Layout) -> list[tuple[int, str]]:
-    """Name the parts of the file outside the frames by their first byte, in order."""
-    parts = [(0, "the header"), (BLOCK, "blocks that nothing uses")]
-    parts.append((layout.parameters_start, "the structure of the parameter section"))
-    for name, item in layout.parameters.items():
-        parts.append((item.start, f"the parameter {name}"))
-        parts.append((item.stop, "the structure of the parameter section"))
-    parts.append((layout.parameters.stop, "blocks that nothing uses"))
-    if layout.data_start > layout.parameters_start:
-        parts.append((layout.data_stop, "what follows the last frame"))
-    return sorted(parts, key=lambda part: part[0])
-
-
 @np.errstate(all="ignore")
-def check_files(original: Path, repaired: Path) -> CheckReport:
+def check_files(
+    original: Path, repaired: Path, provenance: Provenance | None = None
+) -> CheckReport:
     """Compare two files, byte by byte.
 
-    Only samples of markers may differ that the original lacks, and only if the repaired file has
-    them and marks them as computed (fourth word 0).
+    These may differ: samples of markers that the original lacks, or that were repaired in it
+    before, if the repaired file marks them as computed (fourth word 0) or as missing again; the
+    repair record, with the numbers of blocks that it moves; integers that became floats, if the
+    repair record says so. A sample that the repair record of the repaired file does not list may
+    not differ.
+
+    Parameters
+    ----------
+    original, repaired : Path
+        The files.
+    provenance : Provenance, optional
+        The repair record of the repaired file, where it is neither in it nor beside it yet.
 
     Raises
     ------
     MocapmendError
         If one of them cannot be read or the original is not a C3D file.
     """
+    original, repaired = Path(original), Path(repaired)
     with ExitStack() as stack:
-        first, first_stamp = stack.enter_context(open_file(Path(original)))
-        second, second_stamp = stack.enter_context(open_file(Path(repaired)))
-        layout = read_layout(first, first_stamp.size, str(original))
-        common = _limited(layout, min(first_stamp.size, second_stamp.size))
-        found = _Findings(common)
-        pairs = zip(
-            read_pieces(first, common, str(original)),
-            read_pieces(second, common, str(repaired)),
-            strict=True,
-        )
-        for before, after in pairs:
-            if not np.array_equal(before.raw, after.raw):
-                found.add(before, after)
+        first, first_stamp = stack.enter_context(open_file(original))
+        second, second_stamp = stack.enter_context(open_file(repaired))
+        before = read_side(first, first_stamp.size, str(original))
+        try:
+            after: Side | None = read_side(second, second_stamp.size, str(repaired))
+        except MocapmendError:
+            after = None
+        alignment = align(before, after, second_stamp.size)
+        found = Findings(alignment.layout)
+        for one, other in pairs(alignment, first, second, (str(original), str(repaired))):
+            if not np.array_equal(one.raw, other.raw):
+                found.add(one, other)
+    earlier = _record(original, before)
+    record = provenance or (None if after is None else _record(repaired, after))
+    layout = before.layout
     labels = point_labels(layout, [])
     models = model_points(layout, labels)
     others = []
-    if first_stamp.size != second_stamp.size:
+    if not alignment.sizes_fit:
         others.append(f"The sizes differ: {first_stamp.size} and {second_stamp.size} bytes.")
-    others += _sentences(layout, labels, models, found)
+    reverted = found.forgive(_listed(earlier, alignment.layout))
+    unlisted = np.zeros_like(found.changed)
+    if record is not None:
+        unlisted = found.changed & ~reverted & ~_listed(record, alignment.layout)
+        if record != earlier and sidecar.hash_file(original) not in record.inputs:
+            others.append("The repair record names another original.")
+    others += _sentences(layout, labels, models, found, unlisted)
+    if alignment.converted and not (record is not None and record.converted):
+        others.append("Integers became floats, and no repair record says so.")
     changed = found.changed
     changed[:, sorted(models)] = False
     return CheckReport(
@@ -190,20 +154,56 @@ def check_files(original: Path, repaired: Path) -> CheckReport:
             for start, stop in runs(changed[:, point])
         ),
         changed_samples=int(np.count_nonzero(changed)),
+        allowed=tuple(_allowed(alignment)),
         other_differences=tuple(others),
-        identical=not (others or changed.any()),
+        identical=alignment.heads_equal and not (others or changed.any()),
     )
 
 
-def _limited(layout: Layout, size: int) -> Layout:
-    """Return the layout of the first bytes of a file."""
-    start = min(layout.data_start, size)
-    frames = (size - start) // layout.frame_bytes if layout.frame_bytes else 0
-    return replace(layout, size=size, data_start=start, frames=max(min(layout.frames, frames), 0))
+def _record(path: Path, side: Side) -> Provenance | None:
+    """Read a file's repair record; one that cannot be read counts as none."""
+    beside = sidecar.read(path, [])
+    if beside is not None:
+        return beside
+    try:
+        return decode_group(side.layout.parameters)
+    except ValueError:
+        return None
+
+
+def _listed(record: Provenance | None, layout: Layout) -> NDArray[np.bool_]:
+    """Mark the samples that a record lists, shape (frames, points)."""
+    mask = np.zeros((layout.frames, layout.points), np.bool_)
+    for repair in () if record is None else record.repairs:
+        start = max(repair.first_frame - layout.first_frame, 0)
+        stop = max(repair.last_frame - layout.first_frame + 1, 0)
+        if 0 < repair.point <= layout.points:
+            mask[start:stop, repair.point - 1] = True
+    return mask
+
+
+def _allowed(alignment: Alignment) -> Iterator[str]:
+    """Say what differs besides samples and may."""
+    if alignment.before is None or alignment.after is None:
+        return
+    blocks = alignment.after.record_blocks - alignment.before.record_blocks
+    if alignment.after.record_blocks and not alignment.heads_equal:
+        yield (
+            "The parameters hold the repair record; it moved the data by "
+            f"{blocks} block{'' if abs(blocks) == 1 else 's'}."
+        )
+    elif blocks:
+        yield f"The repair record was taken out of the parameters ({-blocks} blocks)."
+    if alignment.converted:
+        yield "The integers of the file became floats; all values that were not repaired are equal."
 
 
 def _sentences(
-    layout: Layout, labels: tuple[str, ...], models: frozenset[int], found: _Findings
+    layout: Layout,
+    labels: tuple[str, ...],
+    models: frozenset[int],
+    found: Findings,
+    unlisted: NDArray[np.bool_],
 ) -> Iterator[str]:
     """Say what differs besides marker samples that are marked as they should be."""
     for place, count in found.places.items():
@@ -219,6 +219,7 @@ def _sentences(
             (found.measured, "differ although they were measured"),
             (found.empty, "differ, but are still missing"),
             (found.unmarked, "differ, but are not marked as computed (fourth word 0)"),
+            (unlisted, "differ, but the repair record does not list them"),
         ):
             if wrong[:, point].any():
                 count, first = _extent(wrong[:, point], layout)

@@ -1,9 +1,14 @@
 """A recording as it was read from a file of any format."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
+import numpy as np
+
 from mocapmend.files.opening import Stamp
+from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.recording import Recording
 
 
@@ -57,6 +62,10 @@ class Source:
         Frames that the file says it holds; 0 where it says nothing.
     stamp : Stamp
         To notice that the file was changed since.
+    provenance : Provenance or None
+        Its repair record, where it has been repaired by this program.
+    repaired : tuple of Gap
+        The gap that each of these repairs fills, in their order.
     """
 
     path: Path
@@ -70,6 +79,28 @@ class Source:
     analog_rate: float = 0.0
     warnings: tuple[str, ...] = ()
     frames_promised: int = 0
+    provenance: Provenance | None = None
+    repaired: tuple[Gap, ...] = ()
+
+    @property
+    def stored_points(self) -> tuple[int, ...]:
+        """The point of the file, from 0, that each marker is."""
+        return tuple(range(self.recording.markers))
+
+    @property
+    def repairs(self) -> tuple[RepairRecord, ...]:
+        """The repairs that the file has had; `repaired` has their gaps."""
+        return () if self.provenance is None else self.provenance.repairs
+
+    @cached_property
+    def measured(self) -> Recording:
+        """The recording without earlier repairs: what repairs are computed from."""
+        if not self.repaired:
+            return self.recording
+        points = self.recording.points.copy()
+        for gap in self.repaired:
+            points[gap.start : gap.stop, gap.marker] = np.nan
+        return self.recording.with_points(points)
 
     @property
     def truncated(self) -> bool:

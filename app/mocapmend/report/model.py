@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
+from mocapmend.files.provenance import RepairRecord
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import Patch
@@ -38,9 +37,13 @@ class RepairRow:
     @classmethod
     def of(cls, patch: Patch, method: str, recording: Recording) -> "RepairRow":
         """Describe a patch of a recording."""
-        known = patch.r90[~np.isnan(patch.r90)]
-        r90 = float(np.median(known)) if known.size else float("nan")
-        return cls(patch.gap, method, patch.expected_error * recording.mm, r90 * recording.mm)
+        error, r90 = patch.expected_error * recording.mm, patch.typical_r90 * recording.mm
+        return cls(patch.gap, method, error, r90)
+
+    @classmethod
+    def from_record(cls, gap: Gap, record: RepairRecord) -> "RepairRow":
+        """Describe a repair that the file had before."""
+        return cls(gap, record.method, record.expected_error_mm, record.r90_mm, record.donors)
 
 
 @dataclass(frozen=True)

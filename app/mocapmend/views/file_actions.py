@@ -103,7 +103,7 @@ class FileActions(QObject):
             self.tr("Exporting {0}").format(path.name),
             engine.export,
             document.source,
-            document.changed_runs(),
+            document.changes(),
             path,
             replaces,
             document.source.truncated,

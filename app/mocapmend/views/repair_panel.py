@@ -26,7 +26,7 @@ from mocapmend.settings import LIMIT_ERROR, MAX_ERROR_MM, MAX_GAP_MS, METHOD, Se
 from mocapmend.views.params_form import ParamsForm
 from mocapmend.viewstate import Preview, ViewState
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.fill.registry import METHODS, method_label
 
 PANEL_WIDTH = 270
 
@@ -225,7 +225,7 @@ class RepairPanel(QScrollArea):
         elif gap is None:
             text = self.tr("Press N for the next gap, or click one on the timeline.")
         elif repair is not None:
-            text = self.tr("Repaired with <b>{0}</b>.").format(METHODS[repair.method].label)
+            text = self.tr("Repaired with <b>{0}</b>.").format(method_label(repair.method))
             text += self._error_text(repair.patch.expected_error)
         elif preview is None:
             text = self.tr("Computing the preview…")

@@ -20,6 +20,7 @@ from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.player import Player
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.repair_panel import RepairPanel
+from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.timeline import Timeline
@@ -27,9 +28,9 @@ from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits
-from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.fill.registry import method_label
 
-LAYOUT_VERSION = 1
+LAYOUT_VERSION = 2
 TAB_HEIGHT = 36
 
 
@@ -70,6 +71,7 @@ class Workspace(QMainWindow):
         self.timeline = Timeline(document, self.view, theme)
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
+        self.repairs = RepairTable(document, self.view)
         self.report = ReportPane(document, self.view, jobs, theme)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
@@ -251,7 +253,7 @@ class Workspace(QMainWindow):
         used = sorted({repair.method for repair in document.repairs.values()})
         about = About(
             file=document.source.path.name,
-            methods=tuple(METHODS[method].label for method in used),
+            methods=tuple(method_label(method) for method in used),
             warnings=document.source.warnings,
             proof=self._proof if document.undo_stack.isClean() else (),
         )
@@ -312,11 +314,15 @@ class Workspace(QMainWindow):
         timeline = self._dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
+        repairs = self._dock(
+            "repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea
+        )
         report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        for tabbed in (timeline, report):
+        for tabbed in (timeline, repairs, report):
             # The tab says the name already.
             tabbed.setTitleBarWidget(QWidget())
-        self.tabifyDockWidget(timeline, report)
+        self.tabifyDockWidget(timeline, repairs)
+        self.tabifyDockWidget(repairs, report)
         timeline.raise_()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -326,7 +332,7 @@ class Workspace(QMainWindow):
             QTimer.singleShot(0, self, self._size_panes)
 
     def _size_panes(self) -> None:
-        markers, repair, timeline, _ = self._panes
+        markers, repair, timeline, *_ = self._panes
         self.resizeDocks([markers, repair], [310, 280], Qt.Orientation.Horizontal)
         height = self.timeline.sizeHint().height() + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)

@@ -212,7 +212,7 @@ def test_files_of_a_folder_are_cut(samples: Path, tmp_path: Path) -> None:
     (tmp_path / "deep" / "a.C3D").write_bytes(walk)
     (tmp_path / "noise.c3d").write_bytes(b"x" * 100_000)
     (tmp_path / "empty.c3d").write_bytes(b"")
-    (tmp_path / "notes.txt").write_text("no recording")
+    (tmp_path / "notes.md").write_text("no recording")
     found = {seed.name: seed for seed in seeds._of_folder(tmp_path)}
     assert sorted(found) == ["a.C3D", "noise.c3d"]
     assert walk.startswith(found["a.C3D"].raw)

@@ -108,8 +108,33 @@ def test_info_knows_the_gait_recording(run_json: Json, samples: Path) -> None:
     assert len(info["markers"]) == 56
     assert len(info["model_outputs"]) == 36
     assert info["analog"] == {"channels": 34, "rate_hz": 1000}
+    assert [plate["type"] for plate in info["force_plates"]] == [2, 2, 2]
+    assert [plate["channels"][0] for plate in info["force_plates"]] == [1, 7, 13]
+    assert info["force_plates"][0]["corners_mm"][0] == pytest.approx([-0.025, -92.026, 0], abs=1e-3)
     assert info["skeleton"]["source"] == "template"
     assert len(info["events"]) == 12
+
+
+def test_info_of_force_plates_that_are_half_described(
+    run_json: Json, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = tmp_path / "plates.c3d"
+    corners = np.array([[[0.5, 0.25, 0], [0.5, 0, 0], [0, 0, 0], [0, 0.25, 0]]])
+    parameters = {
+        "POINT:UNITS": "m",
+        "FORCE_PLATFORM:USED": [2],
+        "FORCE_PLATFORM:TYPE": [2],
+        "FORCE_PLATFORM:CORNERS": corners,
+        "FORCE_PLATFORM:CHANNEL": np.array([[1, 2, 3, 4, 5, 6], [7, 8, 9, 10, 11, 12]]),
+    }
+    path.write_bytes(encode(Synthetic(walk(), analog=np.ones((40, 1, 6)), parameters=parameters)))
+    _, info = run_json("info", path)
+    assert info["force_plates"] == [
+        {"type": 2, "corners_mm": (1000 * corners[0]).tolist(), "channels": [1, 2, 3, 4, 5, 6]},
+        {"type": None, "corners_mm": None, "channels": []},
+    ]
+    assert main(["info", str(path)]) == 0
+    assert "Force plates:  2, of type 2 and unknown\n" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("command", ["info", "gaps"])
@@ -400,7 +425,7 @@ def test_ctrl_c_ends_without_a_traceback_and_leaves_nothing(samples: Path, tmp_p
         "from mocapmend.files import c3d_patch\n"
         # A shell lets what it runs in the background ignore the signal.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        "c3d_patch._verify = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"
+        "c3d_patch._Copy.verify = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"
         f"sys.exit(main(['repair', {source!r}, '-o', {str(out)!r}]))"
     )
     done = subprocess.run(

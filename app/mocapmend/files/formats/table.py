@@ -4,7 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from mocapmend.files.c3d_reader import read_c3d
+from mocapmend.files.c3d_reader import C3DFile, read_c3d
+from mocapmend.files.formats.amc import read_amc
+from mocapmend.files.formats.bvh import read_bvh
+from mocapmend.files.formats.delimited import read_delimited
+from mocapmend.files.formats.npz import read_npz
+from mocapmend.files.formats.trc import read_trc
+from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source
 
 
@@ -27,7 +33,14 @@ class Format:
     read: Callable[[Path], Source]
 
 
-FORMATS: tuple[Format, ...] = (Format("C3D", (".c3d",), read_c3d),)
+FORMATS: tuple[Format, ...] = (
+    Format("C3D", (".c3d",), read_c3d),
+    Format("TRC", (".trc",), read_trc),
+    Format("CSV, Qualisys, Motive, Nexus", (".csv", ".tsv", ".txt"), read_delimited),
+    Format("BVH", (".bvh",), read_bvh),
+    Format("Acclaim ASF/AMC", (".amc", ".asf"), read_amc),
+    Format("NumPy", (".npz",), read_npz),
+)
 
 
 def read_recording(path: Path) -> Source:
@@ -41,4 +54,5 @@ def read_recording(path: Path) -> Source:
     path = Path(path)
     suffix = path.suffix.lower()
     found = next((item for item in FORMATS if suffix in item.suffixes), FORMATS[0])
-    return found.read(path)
+    source = found.read(path)
+    return source if isinstance(source, C3DFile) else with_repairs(source)

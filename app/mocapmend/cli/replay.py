@@ -1,0 +1,58 @@
+"""Make the edits of a recipe again, with the same bytes as result."""
+
+import argparse
+from pathlib import Path
+
+from mocapmend import engine, recipe
+from mocapmend.cli import common, target
+from mocapmend.cli.console import Console
+from mocapmend.files import read_recording
+from mocapmend.files.sidecar import hash_file
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the command takes."""
+    parser.add_argument("recipe", type=Path, metavar="RECIPE", help="the recipe")
+    parser.add_argument("file", type=Path, metavar="IN", help="the recording it was made for")
+    target.add_arguments(parser)
+
+
+def run(arguments: argparse.Namespace, console: Console) -> int:
+    """Replay the recipe, say what was done, and return the exit code."""
+    made = recipe.read_recipe(arguments.recipe)
+    out = target.choose(arguments)
+    source = read_recording(arguments.file)
+    common.show_warnings(source, console)
+    same_input = hash_file(source.path) == made.input
+    if not same_input:
+        console.warn(
+            f"{source.path}: the recipe was made for another file; the result may be another one."
+        )
+    console.start("Replaying")
+    changes = recipe.replay(source, made, console.progress)
+    console.start("Writing")
+    exported = engine.export(
+        source,
+        changes,
+        out,
+        arguments.in_place,
+        arguments.accept_truncated,
+        console.progress,
+    )
+    console.result(
+        **common.facts(source),
+        recipe=str(arguments.recipe),
+        same_input=same_input,
+        output=str(out),
+        filled=len(made.fills),
+        reopened=len(made.reopened),
+        **common.written(exported),
+    )
+    console.say(f"Replayed: {out}")
+    console.say(
+        f"Edits:    {common.count(len(made.fills), 'gap')} filled, "
+        f"{common.count(len(made.reopened), 'repair')} reopened"
+    )
+    for sentence in exported.sentences:
+        console.say(sentence)
+    return 0

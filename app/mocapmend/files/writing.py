@@ -1,0 +1,154 @@
+"""Writing a recording as a new file: other formats, and C3D for what was imported."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend.errors import MocapmendError
+from mocapmend.files import sidecar
+from mocapmend.files.c3d_group import encode_group
+from mocapmend.files.c3d_new import room_for_records, write_new_c3d
+from mocapmend.files.c3d_numbers import Processor
+from mocapmend.files.c3d_reader import C3DFile
+from mocapmend.files.formats.export_csv import write_csv
+from mocapmend.files.formats.export_npz import write_npz
+from mocapmend.files.formats.export_trc import write_trc
+from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.saving import Saved, check_place
+from mocapmend.files.source import Source
+from mocapmend_algorithms.progress import Progress, no_progress
+from mocapmend_algorithms.recording import Recording
+
+GROUP = 100
+"""A group number that no other group of a new file has."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Content:
+    """What is written, and how far it is."""
+
+    source: Source
+    recording: Recording
+    filled: NDArray[np.bool_]
+    group: bytes
+    progress: Progress
+
+
+_WRITERS: Mapping[str, Callable[[_Content, Path], tuple[str, ...]]] = {
+    ".c3d": lambda content, out: write_new_c3d(
+        content.recording,
+        out,
+        events=content.source.events,
+        leading=content.group,
+        progress=content.progress,
+    ),
+    ".trc": lambda content, out: write_trc(content.recording, out),
+    ".csv": lambda content, out: write_csv(content.recording, out),
+    ".npz": lambda content, out: write_npz(
+        content.recording, out, bones=content.source.bones, filled=content.filled
+    ),
+}
+LONG_CSV = ".long.csv"
+"""How the name of a CSV file with one line per sample ends."""
+WRITTEN = (*_WRITERS, LONG_CSV)
+"""How the names of the files end that can be written."""
+
+
+def patches(source: Source, out: Path) -> bool:
+    """Say whether a file is written as a patched copy of its source, so that nothing is lost."""
+    return isinstance(source, C3DFile) and out.suffix.lower() not in {*_WRITERS} - {".c3d"}
+
+
+def write_recording(
+    source: Source,
+    recording: Recording,
+    repairs: Sequence[RepairRecord],
+    out: Path,
+    *,
+    replace_source: bool = False,
+    accept_truncated: bool = False,
+    progress: Progress = no_progress,
+) -> Saved:
+    """Write markers as a new file of the format that its name says.
+
+    Parameters
+    ----------
+    source : Source
+        What was read.
+    recording : Recording
+        Its repaired samples.
+    repairs : sequence of RepairRecord
+        All of its repairs, points as in the source.
+    out : Path
+        Where the file goes.
+    replace_source : bool
+        Whether `out` may be the source itself.
+    accept_truncated : bool
+        Whether a source that is truncated may be saved.
+    progress : Progress
+        Called often; may cancel.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written. Then nothing is left behind.
+    """
+    out = Path(out)
+    check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
+    writer = _WRITERS.get(out.suffix.lower())
+    if writer is None:
+        known = ", ".join(_WRITERS)
+        raise MocapmendError(
+            f"Files that end in {out.suffix or 'nothing'} cannot be written.",
+            str(out),
+            f"Choose a name that ends in one of {known}.",
+        )
+    if out.name.lower().endswith(LONG_CSV):
+        writer = _write_long
+    provenance = _provenance(source, repairs)
+    group = b""
+    if provenance is not None and out.suffix.lower() == ".c3d":
+        group = encode_group(provenance, GROUP, Processor.INTEL)
+        if len(group) > room_for_records(recording, source.events):
+            group = b""
+    filled = np.zeros(recording.present.shape, np.bool_)
+    for repair in () if provenance is None else provenance.repairs:
+        start = repair.first_frame - recording.first_frame
+        filled[start : repair.last_frame - recording.first_frame + 1, repair.point - 1] = True
+    notes = writer(_Content(source, recording, filled, group, progress), out)
+    progress(1.0)
+    if provenance is None or group:
+        sidecar.remove(out)
+    else:
+        sidecar.write(out, provenance, sidecar.hash_file(out))
+    record = "" if provenance is None else "group" if group else "sidecar"
+    return Saved(out, int(filled.sum()), (*_lost(source, out), *notes), record=record)
+
+
+def _write_long(content: _Content, out: Path) -> tuple[str, ...]:
+    return write_csv(content.recording, out, layout="long", filled=content.filled)
+
+
+def _provenance(source: Source, repairs: Sequence[RepairRecord]) -> Provenance | None:
+    """Return the repair record of the new file, in which the points are the markers."""
+    if not repairs:
+        return None
+    markers = {point + 1: marker for marker, point in enumerate(source.stored_points)}
+    moved = [replace(repair, point=markers[repair.point] + 1) for repair in repairs]
+    earlier = () if source.provenance is None else source.provenance.inputs
+    return Provenance(tuple(moved), (*earlier, sidecar.hash_file(source.path)))
+
+
+def _lost(source: Source, out: Path) -> tuple[str, ...]:
+    """Say what the new file does not have."""
+    held = {
+        "analog data": bool(source.analog_labels),
+        "model outputs": bool(source.model_outputs),
+        "residuals": isinstance(source, C3DFile),
+        "events": bool(source.events) and out.suffix.lower() != ".c3d",
+    }
+    lost = [name for name, there in held.items() if there]
+    return (f"The new file has the markers alone, without {', '.join(lost)}.",) if lost else ()

@@ -1,0 +1,169 @@
+"""The list of the repairs: those made now and those that the file had when it was opened."""
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QItemSelectionModel,
+    QModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+)
+from PySide6.QtWidgets import QAbstractItemView, QLabel, QStackedLayout, QTableView, QWidget
+
+from mocapmend.document import Document, Repair
+from mocapmend.views.labels import LabelDelegate
+from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
+from mocapmend.views.tables import dress, narrow
+from mocapmend.viewstate import ViewState
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.registry import method_label
+
+
+class RepairModel(QAbstractTableModel):
+    """One row per repair: marker, frames, length, method, expected error, when it was made."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        self._rows: list[tuple[Gap, Repair]] = []
+        self._columns = (
+            self.tr("Marker"),
+            self.tr("Frames"),
+            self.tr("Length"),
+            self.tr("Method"),
+            self.tr("Expected error"),
+            self.tr("Made"),
+        )
+        document.samples_changed.connect(self._refresh)
+        self._refresh()
+
+    def gap(self, row: int) -> Gap:
+        """Return the gap that a row's repair fills."""
+        return self._rows[row][0]
+
+    def row_of(self, gap: Gap) -> int | None:
+        """Return the row of a gap's repair."""
+        rows = (row for row, (other, _) in enumerate(self._rows) if other == gap)
+        return next(rows, None)
+
+    def rowCount(self, parent: Index = NO_PARENT) -> int:
+        return 0 if parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: Index = NO_PARENT) -> int:
+        return 0 if parent.isValid() else len(self._columns)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
+            return self._columns[section]
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        gap, repair = self._rows[index.row()]
+        column = index.column()
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in {1, 2, 4}:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(gap, repair)
+        if role == SORT_ROLE:
+            return self._key(gap, repair, column)
+        return self._text(gap, repair, column) if role == Qt.ItemDataRole.DisplayRole else None
+
+    def _key(self, gap: Gap, repair: Repair, column: int) -> str | float | int:
+        error = repair.patch.expected_error
+        keys = {1: gap.start, 2: gap.length, 4: error if np.isfinite(error) else np.inf}
+        return keys.get(column, self._text(gap, repair, column))
+
+    def _text(self, gap: Gap, repair: Repair, column: int) -> str:
+        first = self._document.original.first_frame
+        error = repair.patch.expected_error * self._document.original.mm
+        last = gap.stop - 1 + first
+        texts = (
+            self._document.names[gap.marker],
+            f"{gap.start + first} – {last}" if gap.length > 1 else str(last),
+            str(gap.length),
+            method_label(repair.method),
+            f"{error:.1f} mm" if np.isfinite(error) else "—",
+            self.tr("before") if self._document.is_earlier(gap) else self.tr("now"),
+        )
+        return texts[column]
+
+    def _tip(self, gap: Gap, repair: Repair) -> str:
+        label = self._document.original.labels[gap.marker]
+        text = self.tr("{0}: click to go there, Del turns the repair back into a gap").format(label)
+        if repair.donors:
+            text += "\n" + self.tr("Computed from {0}").format(", ".join(repair.donors))
+        return text
+
+    def _refresh(self) -> None:
+        self.beginResetModel()
+        repairs = self._document.repairs
+        self._rows = sorted(repairs.items(), key=lambda row: (row[0].start, row[0].marker))
+        self.endResetModel()
+
+
+class RepairTable(QWidget):
+    """The list of the repairs; the current one is the view state's gap."""
+
+    def __init__(self, document: Document, view: ViewState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._view = view
+        self._model = RepairModel(document)
+        self._model.setParent(self)
+        self._proxy = QSortFilterProxyModel(self)
+        self._proxy.setSourceModel(self._model)
+        self._proxy.setSortRole(SORT_ROLE)
+        self.table = self._make_table()
+        self._empty = QLabel(self.tr("Nothing is repaired yet. Repairs are listed here."))
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._pages = QStackedLayout(self)
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(self.table)
+        self._model.modelReset.connect(self._show_page)
+        view.gap_changed.connect(self._follow)
+        self._show_page()
+
+    def _make_table(self) -> QTableView:
+        table = QTableView()
+        table.setModel(self._proxy)
+        table.setSortingEnabled(True)
+        table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        table.setAccessibleName(self.tr("Repairs"))
+        dress(table)
+        table.setItemDelegateForColumn(0, LabelDelegate(table))
+        advance = table.fontMetrics().horizontalAdvance
+        texts = {
+            1: "000000 – 000000",
+            2: "00000",
+            3: self.tr("Kalman, constant velocity"),
+            4: "0000.0 mm",
+            5: self.tr("before"),
+        }
+        headers = [str(self._model.headerData(i, Qt.Orientation.Horizontal)) for i in range(6)]
+        widths = {i: max(advance(text), advance(headers[i])) + 20 for i, text in texts.items()}
+        narrow(table, widths)
+        table.clicked.connect(self._go_to)
+        table.activated.connect(self._go_to)
+        return table
+
+    def _show_page(self) -> None:
+        self._pages.setCurrentWidget(self.table if self._model.rowCount() else self._empty)
+        self._follow(self._view.gap)
+
+    def _go_to(self, index: QModelIndex) -> None:
+        self._view.go_to(self._model.gap(self._proxy.mapToSource(index).row()))
+
+    def _follow(self, gap: Gap | None) -> None:
+        """Mark the repair of the current gap."""
+        row = None if gap is None else self._model.row_of(gap)
+        if row is None:
+            self.table.clearSelection()
+            return
+        place = self._proxy.mapFromSource(self._model.index(row, 0))
+        flags = QItemSelectionModel.SelectionFlag
+        self.table.selectionModel().setCurrentIndex(place, flags.ClearAndSelect | flags.Rows)
+        self.table.scrollTo(place)
