@@ -9,12 +9,14 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mocapmend.bench.mutate import Damage, mutate
+from mocapmend.bench.mutate import Damage, mutate, mutate_member
 from mocapmend.bench.seeds import Seed
 from mocapmend.bench.trial import Outcome, Use, attempt, use_file
 
 WORKERS = 2
 PATIENCE_S = 20.0
+INSIDE = 0.8
+"""The share of archives of which a member is damaged."""
 CONTEXT = multiprocessing.get_context("spawn")
 
 
@@ -44,7 +46,10 @@ class Plan:
         """Return the damaged file of a number, the same on every machine."""
         rng = random.Random(f"{self.seed} {number}")  # noqa: S311 - nothing secret
         origin = self.origin(number)
-        return mutate(origin.raw, Damage(rng, origin.head, rng.choice(self.seeds).raw))
+        damage = Damage(rng, origin.head, rng.choice(self.seeds).raw)
+        # A checksum guards an archive: damage to its bytes alone would never reach the reader.
+        inside = origin.suffix == ".npz" and rng.random() < INSIDE
+        return (mutate_member if inside else mutate)(origin.raw, damage)
 
     def write(self, number: int, folder: Path) -> Path:
         """Write the damaged file, and what must lie beside it."""

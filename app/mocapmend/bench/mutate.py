@@ -2,10 +2,14 @@
 
 import random
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from io import BytesIO
+from zipfile import ZipFile, ZipInfo
 
 BLOCK = 512
 MOST_CHANGES = 4
+ARRAY_HEAD = 128
+"""Bytes before the numbers of an array that numpy stores."""
 BYTES = b"\x00\x01\x7f\x80\xff"
 WORDS = (b"\x00\x00", b"\xff\x7f", b"\x7f\xff", b"\x00\x80", b"\x80\x00", b"\xff\xff")
 FLOATS = (
@@ -153,6 +157,19 @@ def mutate(raw: bytes, damage: Damage) -> bytes:
         if changed:
             damage.rng.choice(MUTATIONS)(changed, damage)
     return bytes(changed)
+
+
+def mutate_member(raw: bytes, damage: Damage) -> bytes:
+    """Damage one of the files in an archive, whose checksums then fit again."""
+    with ZipFile(BytesIO(raw)) as archive:
+        members = {name: archive.read(name) for name in archive.namelist()}
+    chosen = damage.rng.choice(sorted(members))
+    members[chosen] = mutate(members[chosen], replace(damage, head=ARRAY_HEAD))
+    changed = BytesIO()
+    with ZipFile(changed, "w") as archive:
+        for name, content in members.items():
+            archive.writestr(ZipInfo(name), content)
+    return changed.getvalue()
 
 
 def _overwrite(raw: bytearray, at: int, piece: bytes) -> None:

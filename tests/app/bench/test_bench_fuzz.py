@@ -5,14 +5,16 @@ import os
 import random
 from collections import Counter
 from collections.abc import Callable
+from io import BytesIO
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
 from c3d_synthetic import Synthetic, encode
 
-from mocapmend.bench import fuzz, hunt, main, seeds, trial
-from mocapmend.bench.mutate import MUTATIONS, Damage, mutate
+from mocapmend.bench import fuzz, hunt, main, seeds, small_files, trial
+from mocapmend.bench.mutate import MUTATIONS, Damage, mutate, mutate_member
 from mocapmend.bench.small_files import SMALL_FILES
 from mocapmend.errors import MocapmendError
 from mocapmend.files import read_c3d
@@ -168,6 +170,17 @@ def test_as_many_points_as_a_frame_can_have_cost_little(tmp_path: Path) -> None:
     outcome = trial.attempt(path)
     assert (outcome.result, outcome.detail) == ("opened", "")
     assert outcome.extra_mb < trial.MOST_EXTRA_MB / 2
+
+
+def test_damage_reaches_the_arrays_of_an_archive() -> None:
+    raw = small_files.npz()
+    changed = mutate_member(raw, Damage(random.Random(1), 512, b"x"))
+    assert changed == mutate_member(raw, Damage(random.Random(1), 512, b"x"))
+    with ZipFile(BytesIO(raw)) as before, ZipFile(BytesIO(changed)) as after:
+        names = before.namelist()
+        assert after.namelist() == names
+        assert after.testzip() is None
+        assert sum(before.read(name) != after.read(name) for name in names) == 1
 
 
 def test_the_seeds_hold_the_six_encodings(good: list[seeds.Seed], tmp_path: Path) -> None:
