@@ -4,6 +4,7 @@ import struct
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -159,7 +160,8 @@ def _in_chunks(frames: Iterator[tuple[int, Any, Any]], layout: Layout) -> Iterat
     points = np.empty((size, layout.points, 5), np.float32)
     analog = np.empty((size, layout.channels * layout.analog_samples))
     first = count = 0
-    for _, frame_points, frame_analog in frames:
+    # What the library takes for further frames lies behind the last one: other checks look at it.
+    for _, frame_points, frame_analog in islice(frames, layout.frames):
         points[count] = frame_points
         analog[count] = frame_analog.reshape(-1)
         count += 1
