@@ -70,7 +70,7 @@ class Tally:
     outcomes: dict[str, list[Outcome]] = field(default_factory=dict)
 
     def add(self, kind: str, outcome: Outcome) -> None:
-        """Count a file; what a traceback needs is kept for failures alone."""
+        """Count a file."""
         self.outcomes.setdefault(kind, []).append(outcome)
 
     @property
