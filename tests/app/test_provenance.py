@@ -251,7 +251,23 @@ def test_a_sample_that_went_missing_again_is_no_repair(tmp_path: Path) -> None:
     assert any("1 of 3 repairs" in warning for warning in again.warnings)
 
 
-@pytest.mark.parametrize("damage", ["not JSON", "later format", "other group"])
+def test_what_another_program_changed_can_still_be_copied(tmp_path: Path) -> None:
+    source = written(tmp_path)
+    first, second = tmp_path / "first.c3d", tmp_path / "second.c3d"
+    export(source, repair(source), first)
+    layout = read_c3d(first).layout
+    raw = bytearray(first.read_bytes())
+    at = layout.data_start + 11 * layout.frame_bytes
+    raw[at : at + 16] = bytes(12) + np.float32(-1).tobytes()
+    first.write_bytes(raw)
+    changed = read_c3d(first)
+    done = export(changed, engine.Changes((), changed.repairs), second)
+    assert done.check is not None
+    assert done.check.identical
+    assert second.read_bytes() == bytes(raw)
+
+
+@pytest.mark.parametrize("damage", ["not JSON", "later format", "no hash", "other group"])
 def test_a_damaged_group_is_a_warning(damage: str, tmp_path: Path) -> None:
     source = written(tmp_path)
     out = tmp_path / "out.c3d"
@@ -260,6 +276,9 @@ def test_a_damaged_group_is_a_warning(damage: str, tmp_path: Path) -> None:
     if damage == "later format":
         at = read_c3d(out).layout.parameters[f"{NAME}:FORMAT"].data
         out.write_bytes(raw[:at] + b"\x09" + raw[at + 1 :])
+    elif damage == "no hash":
+        at = read_c3d(out).layout.parameters[f"{NAME}:INPUTS"].data
+        out.write_bytes(raw[:at] + "é".encode() + raw[at + 2 :])
     elif damage == "not JSON":
         out.write_bytes(raw.replace(b'{"marker"', b'{{marker"', 1))
     else:
