@@ -1,6 +1,7 @@
 """The repair record beside a file that cannot hold it: NAME.mocapmend.json."""
 
 import hashlib
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -17,7 +18,8 @@ NO_HASH = "0" * 64
 
 
 def sidecar_path(path: Path) -> Path:
-    """Return where the record of a file is."""
+    """Return where the record of a file is; of a link, beside the file that it leads to."""
+    path = Path(os.path.realpath(path)) if path.is_symlink() else path
     return path.with_name(path.name + SUFFIX)
 
 
