@@ -119,6 +119,10 @@ def write_recording(
     out = Path(out)
     check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
     writer = _writer(out)
+    if not recording.markers:
+        raise MocapmendError(
+            "The recording has no markers to write.", str(source.path), "Choose another one."
+        )
     provenance = _provenance(source, repairs)
     group = b""
     if provenance is not None and out.suffix.lower() == ".c3d":
