@@ -168,6 +168,8 @@ def _provenance(source: Source, repairs: Sequence[RepairRecord]) -> Provenance |
         return None
     markers = {point + 1: marker for marker, point in enumerate(source.stored_points)}
     moved = [replace(repair, point=markers[repair.point] + 1) for repair in repairs]
+    # Whatever they were made in: the same repairs give the same bytes.
+    moved.sort(key=lambda repair: (repair.point, repair.first_frame))
     earlier = () if source.provenance is None else source.provenance.inputs
     with open_file(source.path) as (_, stamp):
         if stamp != source.stamp:

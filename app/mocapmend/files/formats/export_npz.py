@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
-from zipfile import ZipFile
+from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +71,9 @@ def write_npz(
         # As numpy.savez, which may pickle what it does not know.
         with ZipFile(stream, "w") as archive:
             for name, array in arrays.items():
-                with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                # With the time that stands for none: the same recording gives the same bytes.
+                info = ZipInfo(f"{name}.npy")
+                with archive.open(info, "w", force_zip64=True) as member:
                     np.lib.format.write_array(member, array, allow_pickle=False)
                 progress(0.5)
 
