@@ -2,6 +2,7 @@
 
 import errno
 import hashlib
+import json
 import os
 from collections.abc import Callable
 from dataclasses import replace
@@ -415,6 +416,41 @@ def test_the_record_is_beside_the_file_that_a_link_leads_to(tmp_path: Path) -> N
     assert link.is_symlink()
     assert len(read_recording(path).repairs) == 2
     assert len(read_recording(link).repairs) == 2
+
+
+# --- damaged records -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("parameters", {"noise_mm": float("nan")}),
+        ("parameters", {"noise_mm": [[[1]]]}),
+        ("first_frame", 10**400),
+        ("point", -(10**400)),
+        ("r90_mm", 10**400),
+        ("expected_error_mm", float("inf")),
+        ("marker", "M" * 100_000),
+        ("donors", ["D" * 100_000]),
+        ("inputs", ["input"]),
+        ("inputs", ["\N{LATIN SMALL LETTER E WITH ACUTE}" * 64]),
+        ("inputs", "0" * 64),
+    ],
+)
+def test_a_damaged_record_is_left_out(key: str, value: object, tmp_path: Path) -> None:
+    path, out = tmp_path / "out.csv", tmp_path / "again.c3d"
+    repair(write_sample(tmp_path, "csv"), path)
+    record = json.loads(sidecar_path(path).read_text())
+    place = record if key == "inputs" else record["repairs"][0]
+    place[key] = value
+    sidecar_path(path).write_text(json.dumps(record))
+    source = read_recording(path)
+    assert source.provenance is None
+    (warning,) = (text for text in source.warnings if "repair record" in text)
+    assert "cannot be used" in warning
+    assert len(warning) < 300
+    export(source, out, engine.Changes((), source.repairs))
+    assert read_c3d(out).provenance is None
 
 
 # --- many repairs --------------------------------------------------------------------------------
