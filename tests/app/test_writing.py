@@ -298,6 +298,7 @@ def repaired(
     kind = request.param.split()[0]
     if request.param == "c3d beside":
         monkeypatch.setattr("mocapmend.files.c3d_target._with_group", lambda *_: None)
+        monkeypatch.setattr("mocapmend.files.writing.room_for_records", lambda *_: 0)
     folder = tmp_path / "repaired"
     folder.mkdir()
     repair(write_sample(tmp_path, "c3d"), folder / f"out.{kind}")
