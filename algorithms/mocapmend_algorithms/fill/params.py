@@ -12,6 +12,7 @@ from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 WORDS = {"true": True, "yes": True, "on": True, "1": True}
 WORDS |= {"false": False, "no": False, "off": False, "0": False}
 LARGEST = 1e300
+"""Of all numbers: whole ones that are larger cannot be written as others are."""
 AUTOMATIC = ("auto", "automatic", "none", "")
 
 
