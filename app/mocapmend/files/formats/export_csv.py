@@ -46,7 +46,6 @@ def write_csv(
     filled : ndarray of bool, shape (frames, markers), optional
         Which samples were filled; the long layout gets the column state: measured, filled or
         missing. The wide layout has no place for it.
-
     progress : Progress
         Called often; may cancel.
 

@@ -37,7 +37,6 @@ def write_npz(
         Sticks, pairs of markers.
     filled : ndarray of bool, shape (frames, markers), optional
         Which samples were filled.
-
     progress : Progress
         Called often; may cancel.
 

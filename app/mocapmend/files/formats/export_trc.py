@@ -35,7 +35,6 @@ def write_trc(
         Every coordinate comes back exactly, if its unit is mm, cm or m.
     out : Path
         Where the file shall be; what was there before is replaced.
-
     progress : Progress
         Called often; may cancel.
 
