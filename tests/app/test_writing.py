@@ -11,7 +11,7 @@ from typing import BinaryIO
 import numpy as np
 import pytest
 from c3d_synthetic import walk
-from recording_samples import SOURCES, TARGETS, changes_in, repair, write_sample
+from recording_samples import NO_LIMITS, SOURCES, TARGETS, changes_in, repair, write_sample
 
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
@@ -19,6 +19,7 @@ from mocapmend.files import Provenance, RepairRecord, Source, read_c3d, read_rec
 from mocapmend.files import atomic as atomic_module
 from mocapmend.files.sidecar import sidecar_path
 from mocapmend_algorithms import Cancelled, Progress, find_gaps, no_progress
+from mocapmend_algorithms.fill.registry import METHODS
 
 NONE = engine.Changes((), ())
 IMPORTED = [kind for kind in SOURCES if kind != "c3d"]
@@ -130,6 +131,29 @@ def test_a_record_goes_from_format_to_format(target: str, tmp_path: Path) -> Non
 def export_as(path: Path, out: Path) -> None:
     source = read_recording(path)
     export(source, out, engine.Changes((), source.repairs))
+
+
+@pytest.mark.parametrize("target", TARGETS[1:])
+@pytest.mark.parametrize("name", ["gait_plug_in_gait", "sprint_basketball"])
+def test_real_recordings_there_and_back(
+    name: str, target: str, samples: Path, tmp_path: Path
+) -> None:
+    there, back = tmp_path / f"there.{target}", tmp_path / "back.c3d"
+    source = read_recording(samples / f"{name}.c3d")
+    inside = [gap for gap in find_gaps(source.recording.present) if gap.length < 20]
+    params = METHODS["linear"].params()
+    result = engine.fill(source.measured, inside[:200], "linear", params, NO_LIMITS, no_progress)
+    changes = engine.changes_of(source, result, "linear", params)
+    assert len(changes.repairs) > 40
+    export(source, there, changes)
+    export_as(there, back)
+    final = read_c3d(back)
+    repaired = engine.repaired(source.recording, result).points
+    np.testing.assert_array_equal(final.recording.points, repaired.astype(np.float32))
+    assert final.recording.labels == source.recording.labels
+    assert final.recording.first_frame == source.recording.first_frame
+    np.testing.assert_array_equal(final.measured.present, source.recording.present)
+    assert [record.method for record in final.repairs] == ["linear"] * len(changes.repairs)
 
 
 @pytest.mark.parametrize("target", TARGETS)
