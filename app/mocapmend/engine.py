@@ -11,7 +11,6 @@ from typing import Any
 from mocapmend import report
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
-    C3DFile,
     CheckReport,
     Provenance,
     RepairRecord,
@@ -197,7 +196,7 @@ def export(
     MocapmendError
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
-    if not (isinstance(source, C3DFile) and patches(source, out)):
+    if not patches(source, out):
         points = source.recording.points.copy()
         for run in changes.runs:
             points[run.start : run.start + len(run.values), run.marker] = run.values
@@ -225,6 +224,7 @@ def export(
                 "Please report this.",
             )
         proofs.append((sentence, check))
+        progress(1.0)
 
     saved = save_patched(
         source,
@@ -236,7 +236,6 @@ def export(
         progress=lambda share: progress(0.3 * share),
         confirm=prove,
     )
-    progress(1.0)
     return Exported(saved, *proofs[0])
 
 

@@ -22,7 +22,9 @@ from mocapmend.files.provenance import (
     PROGRAM,
     decode_document,
     encode_document,
+    hashes,
     line,
+    program_name,
     records,
 )
 from mocapmend.files.sidecar import hash_file
@@ -66,9 +68,10 @@ def recipe_of(source: Source, repairs: Sequence[RepairRecord]) -> Recipe:
     """
     kept = set(map(line, source.repairs))
     wanted = {(item.point, item.first_frame) for item in repairs}
+    ordered = sorted(repairs, key=lambda item: (item.point, item.first_frame))
     return Recipe(
         input=hash_file(source.path),
-        fills=tuple(item for item in repairs if line(item) not in kept),
+        fills=tuple(item for item in ordered if line(item) not in kept),
         reopened=tuple(
             item for item in source.repairs if (item.point, item.first_frame) not in wanted
         ),
@@ -144,19 +147,17 @@ def plan(source: Source, recipe: Recipe) -> Plan:
     """
     gaps = set(find_gaps(source.measured.present))
     reopened = tuple(_gap_of(source, item, source.repaired) for item in recipe.reopened)
-    jobs: dict[str, list[RepairRecord]] = {}
-    for item in recipe.fills:
+    filled = [_gap_of(source, item, gaps) for item in recipe.fills]
+    if len({*reopened, *filled}) < len(reopened) + len(filled):
+        raise _does_not_fit(source, "it has two edits of one gap")
+    ways: dict[str, tuple[str, Any]] = {}
+    jobs: dict[str, list[Gap]] = {}
+    for item, gap in zip(recipe.fills, filled, strict=True):
         alike = json.dumps([item.method, item.parameters], sort_keys=True)
-        jobs.setdefault(alike, []).append(item)
-    return Plan(
-        reopened,
-        tuple(
-            FillJob(
-                *_method(source, items[0]), tuple(_gap_of(source, item, gaps) for item in items)
-            )
-            for items in jobs.values()
-        ),
-    )
+        if alike not in ways:
+            ways[alike] = _method(source, item)
+        jobs.setdefault(alike, []).append(gap)
+    return Plan(reopened, tuple(FillJob(*ways[key], tuple(of)) for key, of in jobs.items()))
 
 
 def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> list[FillResult]:
@@ -245,16 +246,14 @@ def _decode(raw: bytes) -> Recipe:
     edits = data.get("edits")
     if not isinstance(edits, list) or not all(isinstance(edit, dict) for edit in edits):
         raise ValueError("it has no list of edits")
-    kinds = {edit.get("do") for edit in edits}
-    if strange := kinds - {"fill", "reopen"}:
-        raise ValueError(f"it asks for something unknown: {min(map(str, strange))}")
-    if not isinstance(data.get("input_sha256"), str):
-        raise ValueError("it does not say which file it was made for")
+    if not all(edit.get("do") in ("fill", "reopen") for edit in edits):
+        raise ValueError("it asks for something else than filling and reopening gaps")
+    (made_for,) = hashes([data.get("input_sha256")])
 
     def chosen(kind: str) -> tuple[RepairRecord, ...]:
         return records([edit for edit in edits if edit["do"] == kind])
 
-    return Recipe(data["input_sha256"], chosen("fill"), chosen("reopen"), str(data.get("program")))
+    return Recipe(made_for, chosen("fill"), chosen("reopen"), program_name(data.get("program")))
 
 
 def _gap_of(source: Source, item: RepairRecord, gaps: Container[Gap]) -> Gap:

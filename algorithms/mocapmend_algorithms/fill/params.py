@@ -5,13 +5,14 @@ line and the documentation are generated from them.
 """
 
 import dataclasses
-import math
 import types
 from collections.abc import Mapping
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 WORDS = {"true": True, "yes": True, "on": True, "1": True}
 WORDS |= {"false": False, "no": False, "off": False, "0": False}
+LARGEST = 1e300
+"""Of all numbers: whole ones that are larger cannot be written as others are."""
 AUTOMATIC = ("auto", "automatic", "none", "")
 
 
@@ -124,7 +125,7 @@ def _number(name: str, text: str, hint: Any) -> int | float:
         number: int | float = int(text) if hint is int else float(text)
     except ValueError:
         raise ValueError(f"{name} must be {what}, not {text!r}") from None
-    if not math.isfinite(number):
+    if not abs(number) <= LARGEST:
         raise ValueError(f"{name} must be {what}, not {text!r}")
     return number
 

@@ -1,4 +1,4 @@
-"""Prove that a repaired file differs from its original in marker samples alone."""
+"""Prove that a repaired C3D file differs from its original in marker samples alone."""
 
 import argparse
 from pathlib import Path

@@ -13,10 +13,13 @@ from mocapmend.files import CheckReport, Source
 from mocapmend.files.sidecar import sidecar_path
 from mocapmend_algorithms import Gap, Recording
 
+MOST_ROWS = 20
+"""Of a table that people read."""
+
 
 def add_file(parser: argparse.ArgumentParser) -> None:
     """Let a command take a recording."""
-    parser.add_argument("file", type=Path, metavar="FILE", help="a C3D file")
+    parser.add_argument("file", type=Path, metavar="FILE", help="a recording")
 
 
 def show_warnings(source: Source, console: Console) -> None:

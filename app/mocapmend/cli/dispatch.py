@@ -19,7 +19,8 @@ COMMANDS = {
     "gaps": "list the gaps of a file",
     "repair": "fill gaps and write a repaired copy",
     "replay": "make the edits of a recipe again",
-    "check": "prove that a repaired file differs from its original in repaired samples alone",
+    "convert": "write a recording in another format",
+    "check": "prove that a repaired C3D file differs from its original in repaired samples alone",
     "bench": "measure speed, and try damaged files: bench io, bench gui, bench fuzz",
 }
 _HELP = """\

@@ -1,6 +1,7 @@
 """Say what a file holds: frames, markers and what is missing of them, events, analog data."""
 
 import argparse
+import math
 from typing import Any
 
 import numpy as np
@@ -37,7 +38,31 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
                 for m in incomplete
             ],
         )
+    _show_repairs(source, console)
     return 0
+
+
+def _show_repairs(source: Source, console: Console) -> None:
+    """List the repairs that the file has had, as many as people read."""
+    repairs = source.repairs
+    if not repairs:
+        return
+    console.say("")
+    console.table(
+        ("Repaired marker", ">Frames", ">Length", "Method", ">Expected error (mm)"),
+        [
+            (
+                record.marker,
+                common.span(record.first_frame, record.last_frame),
+                str(record.last_frame - record.first_frame + 1),
+                record.method,
+                "" if math.isnan(error := record.expected_error_mm) else f"{error:.1f}",
+            )
+            for record in repairs[: common.MOST_ROWS]
+        ],
+    )
+    if len(repairs) > common.MOST_ROWS:
+        console.say(f"and {len(repairs) - common.MOST_ROWS} more: --json lists them all.")
 
 
 def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:

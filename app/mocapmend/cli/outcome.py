@@ -18,8 +18,6 @@ from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import Method
 
-MOST_ROWS = 20
-
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
@@ -152,11 +150,13 @@ class Outcome:
                     str(entry.gap.length),
                     entry.reason,
                 )
-                for entry in unfilled[:MOST_ROWS]
+                for entry in unfilled[: common.MOST_ROWS]
             ],
         )
-        if len(unfilled) > MOST_ROWS:
-            console.say(f"and {len(unfilled) - MOST_ROWS} more: --json and --report list them all.")
+        if len(unfilled) > common.MOST_ROWS:
+            console.say(
+                f"and {len(unfilled) - common.MOST_ROWS} more: --json and --report list them all."
+            )
         if self.limits.default:
             console.say("--max-gap and --max-error replace the default guard.")
 

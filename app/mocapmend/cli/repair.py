@@ -1,5 +1,8 @@
 """Fill gaps and write a repaired copy in which nothing else differs.
 
+A C3D file is copied and patched. A recording of another format, or for another format, is written
+as a new file; the ending of OUT says which.
+
 Without limits, gaps longer than 0.2 s and gaps whose expected error is above 20 mm stay open; the
 output lists them. --max-error and --max-gap replace these limits.
 """
@@ -15,7 +18,7 @@ from mocapmend.cli import common, markers, outcome, target
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
-from mocapmend.files import Source, read_recording
+from mocapmend.files import Source, check_ending, read_recording
 from mocapmend_algorithms import find_gaps
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
@@ -26,7 +29,7 @@ DEFAULT_METHOD = "cubic"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the command takes."""
-    parser.add_argument("file", type=Path, metavar="IN", help="a C3D file")
+    parser.add_argument("file", type=Path, metavar="IN", help="a recording")
     target.add_arguments(parser)
     parser.add_argument(
         "--method",
@@ -75,6 +78,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     params = _params(method, arguments.param)
     out = target.choose(arguments, arguments.report, arguments.recipe)
     source = read_recording(arguments.file)
+    check_ending(source, out)
     common.show_warnings(source, console)
     _check_source(source, accept_truncated=arguments.accept_truncated)
     limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)

@@ -6,7 +6,7 @@ from pathlib import Path
 from mocapmend import engine, recipe
 from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
-from mocapmend.files import read_recording
+from mocapmend.files import check_ending, read_recording
 from mocapmend.files.sidecar import hash_file
 
 
@@ -22,6 +22,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     made = recipe.read_recipe(arguments.recipe)
     out = target.choose(arguments)
     source = read_recording(arguments.file)
+    check_ending(source, out)
     common.show_warnings(source, console)
     same_input = hash_file(source.path) == made.input
     if not same_input:

@@ -10,12 +10,17 @@ from mocapmend.files import same_file
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Let a command say where its result goes."""
-    parser.add_argument("-o", "--output", type=Path, metavar="OUT", help="the repaired copy")
+    """Let a command that repairs say where its result goes."""
+    add_output(parser, "the repaired copy: a C3D, TRC, CSV or NumPy file, by its ending")
+    parser.add_argument("--in-place", action="store_true", help="replace the recording itself")
+
+
+def add_output(parser: argparse.ArgumentParser, text: str) -> None:
+    """Let a command say where its result goes, which is never the recording itself."""
+    parser.add_argument("-o", "--output", type=Path, metavar="OUT", help=text)
     parser.add_argument(
         "--overwrite", action="store_true", help="replace what is there of the names given"
     )
-    parser.add_argument("--in-place", action="store_true", help="replace the recording itself")
     parser.add_argument(
         "--accept-truncated",
         action="store_true",
@@ -29,7 +34,7 @@ def choose(arguments: argparse.Namespace, *others: Path | None) -> Path:
     Parameters
     ----------
     arguments : argparse.Namespace
-        Of `add_arguments`, with the recording as `file`.
+        Of `add_arguments` or `add_output`, with the recording as `file`.
     *others : Path or None
         What else will be written.
 
@@ -42,18 +47,24 @@ def choose(arguments: argparse.Namespace, *others: Path | None) -> Path:
     """
     source: Path = arguments.file
     out: Path | None = arguments.output
-    if arguments.in_place:
+    may_replace = "in_place" in arguments
+    if may_replace and arguments.in_place:
         if out is not None and not same_file(out, source):
             raise UsageError("--in-place replaces IN itself: give no other OUT")
         out = source
     elif out is None:
-        raise UsageError("give -o OUT for the repaired copy, or --in-place to replace IN")
+        raise UsageError(
+            "give -o OUT for the repaired copy, or --in-place to replace IN"
+            if may_replace
+            else "give -o OUT for the new file"
+        )
     else:
         if same_file(out, source):
             raise MocapmendError(
                 "This is the recording itself.",
                 str(out),
-                "Choose another name, or add --in-place to replace it.",
+                "Choose another name"
+                + (", or add --in-place to replace it." if may_replace else "."),
             )
         _check_place(out, overwrite=arguments.overwrite)
     taken = [source, out]

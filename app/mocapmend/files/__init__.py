@@ -14,7 +14,7 @@ from mocapmend.files.provenance import Provenance, RepairRecord
 from mocapmend.files.saving import Saved
 from mocapmend.files.second_reader import confirm_with_c3d
 from mocapmend.files.source import Event, Source
-from mocapmend.files.writing import LONG_CSV, WRITTEN, patches, write_recording
+from mocapmend.files.writing import LONG_CSV, WRITTEN, check_ending, patches, write_recording
 
 __all__ = [
     "FORMATS",
@@ -32,6 +32,7 @@ __all__ = [
     "Saved",
     "Source",
     "Stamp",
+    "check_ending",
     "check_files",
     "confirm_with_c3d",
     "patches",

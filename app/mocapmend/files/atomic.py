@@ -4,8 +4,9 @@ import errno
 import os
 import secrets
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
@@ -35,6 +36,55 @@ def write_atomically(
         If it cannot be written. Then, and after whatever `write` and `verify` raise, nothing is
         left behind and a file that was there is untouched.
     """
+    with staged(target, write) as stage:
+        verify(stage.temporary)
+        stage.place()
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A file that is written but does not have its name yet.
+
+    Attributes
+    ----------
+    temporary : Path
+        Where it is.
+    target : Path
+        Where it shall be.
+    """
+
+    temporary: Path
+    target: Path
+
+    def overwrite(self, data: bytes) -> None:
+        """Replace its bytes by as many others, which the disk has room for."""
+        with self.temporary.open("r+b") as stream:
+            stream.write(data)
+            stream.flush()
+            os.fsync(stream.fileno())
+
+    def place(self) -> None:
+        """Move it to its place; what was there before is replaced."""
+        self.temporary.replace(self.target)
+        sync_folder(self.target.parent)
+
+
+@contextmanager
+def staged(target: Path, write: Callable[[BinaryIO], None]) -> Iterator[Stage]:
+    """Write a file beside its place, and remove it at the end if it was not moved there.
+
+    Parameters
+    ----------
+    target : Path
+        Where the file shall be; through a link, where that leads to.
+    write : callable
+        Writes the content into the open temporary file.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written, read or moved.
+    """
     target = Path(os.path.realpath(target))
     temporary = target.with_name(TEMPORARY.format(secrets.token_hex(8)))
     _remove_remnants(target.parent)
@@ -44,14 +94,12 @@ def write_atomically(
                 "There is a folder or a device of this name.", str(target), "Choose another name."
             )
         _write_through(temporary, target, write)
-        verify(temporary)
-        temporary.replace(target)
+        yield Stage(temporary, target)
     except OSError as error:
         raise _cannot_write(target, error) from error
     finally:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
-    sync_folder(target.parent)
 
 
 def same_file(first: Path, second: Path) -> bool:

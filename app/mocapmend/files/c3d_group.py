@@ -61,7 +61,7 @@ def decode_group(parameters: Parameters) -> Provenance | None:
         raise ValueError(f"it has format {stated:g}, and this version reads {FORMAT}")
     return Provenance(
         repairs=records(list(_objects("".join(parameters.texts(f"{NAME}:REPAIRS"))))),
-        inputs=hashes(list(parameters.texts(f"{NAME}:INPUTS"))),
+        inputs=hashes(parameters.texts(f"{NAME}:INPUTS")),
         converted=parameters.number(f"{NAME}:CONVERTED") == 1,
         program=parameters.text(f"{NAME}:PROGRAM"),
     )

@@ -28,10 +28,8 @@ from mocapmend.files.c3d_target import Target, plan
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance, RepairRecord
 from mocapmend.files.saving import Saved, check_place
+from mocapmend.files.sidecar import NO_HASH
 from mocapmend_algorithms.progress import Progress, no_progress
-
-NO_HASH = "0" * 64
-"""Holds the place of a hash that is not known yet."""
 
 
 @np.errstate(all="ignore")
@@ -99,11 +97,13 @@ def save_patched(
         copy.verify(written)
         if confirm is not None:
             confirm(written, copy.provenance)
-        if target.record == "sidecar" and copy.provenance is not None:
-            sidecar.write(out, copy.provenance, sidecar.hash_file(written))
 
-    write_atomically(out, copy.write, verify)
-    if target.record != "sidecar":
+    if target.record == "sidecar" and copy.provenance is not None:
+        with sidecar.staged_record(out, copy.provenance) as finish:
+            write_atomically(out, copy.write, verify)
+            finish(copy.provenance)
+    else:
+        write_atomically(out, copy.write, verify)
         sidecar.remove(out)
     return Saved(out, len(slots), slots.notes, to_float, target.record)
 

@@ -17,6 +17,9 @@ FORMAT = 1
 MOST_REPAIRS = 1_000_000
 DIGITS = 4
 """Significant digits of an expected error: more would mean nothing."""
+LARGEST_FRAME = 2**53
+LONGEST_TEXT = 1000
+HASH = re.compile("[0-9a-f]{64}")
 
 _KINDS: Mapping[str, tuple[type, ...]] = {
     "marker": (str,),
@@ -29,6 +32,7 @@ _KINDS: Mapping[str, tuple[type, ...]] = {
     "expected_error_mm": (int, float, type(None)),
     "r90_mm": (int, float, type(None)),
 }
+SCALARS = (str, int, float, type(None))
 
 
 @dataclass(frozen=True)
@@ -87,11 +91,23 @@ class RepairRecord:
             if key not in data or isinstance(data[key], bool) or not isinstance(data[key], kinds):
                 raise ValueError(f"the repair's {key!r} is missing or of another kind")
             values[key] = data[key]
-        if not all(isinstance(donor, str) for donor in values["donors"]):
+        if not all(map(_is_plain, values.values())):
+            raise ValueError("a number or a text of a repair is too large")
+        if not all(isinstance(donor, str) and _is_plain(donor) for donor in values["donors"]):
             raise ValueError("a donor is not a label")
+        parameters = values["parameters"].values()
+        if not all(isinstance(item, SCALARS) and _is_plain(item) for item in parameters):
+            raise ValueError("a parameter is neither a number nor a text")
         for key in ("expected_error_mm", "r90_mm"):
             values[key] = math.nan if values[key] is None else float(values[key])
         return cls(**values | {"donors": tuple(values["donors"])})
+
+
+def _is_plain(value: object) -> bool:
+    """Say whether a value is none of those that a damaged file has and a program trips over."""
+    if isinstance(value, (int, float)):
+        return abs(value) <= LARGEST_FRAME
+    return not isinstance(value, str) or len(value) <= LONGEST_TEXT
 
 
 @dataclass(frozen=True)
@@ -161,8 +177,28 @@ def decode_sidecar(raw: bytes) -> tuple[Provenance, str]:
     if not isinstance(output, str):
         raise ValueError("it does not say which file it belongs to")
     inputs = hashes(data.get("inputs"))
-    converted, program = data.get("converted") is True, str(data.get("program"))
+    converted, program = data.get("converted") is True, program_name(data.get("program"))
     return Provenance(repairs, inputs, converted, program), output
+
+
+def hashes(data: object) -> tuple[str, ...]:
+    """Return the hashes of files that a list holds.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if not isinstance(data, Sequence) or not all(
+        isinstance(item, str) and HASH.fullmatch(item) for item in data
+    ):
+        raise ValueError("it does not say which file was repaired")
+    return tuple(data)
+
+
+def program_name(data: object) -> str:
+    """Return what people read about the program that wrote a record, whatever is there."""
+    return data[:LONGEST_TEXT] if isinstance(data, str) else "an unknown program"
 
 
 def decode_document(raw: bytes, key: str) -> dict[str, Any]:
@@ -175,28 +211,13 @@ def decode_document(raw: bytes, key: str) -> dict[str, Any]:
     """
     try:
         data = json.loads(raw)
-    except (ValueError, RecursionError):
+    except (ValueError, RecursionError, MemoryError):
         raise ValueError("it is not a JSON document") from None
     if not isinstance(data, dict) or key not in data:
         raise ValueError(f"it has no {key!r}")
     if data[key] != FORMAT:
-        raise ValueError(f"it has format {data[key]!r}, and this version reads {FORMAT}")
+        raise ValueError(f"it is not of format {FORMAT}, which this version reads")
     return data
-
-
-def hashes(data: object) -> tuple[str, ...]:
-    """Make sure that something is a list of SHA-256.
-
-    Raises
-    ------
-    ValueError
-        If it is not.
-    """
-    if not isinstance(data, list) or not all(
-        isinstance(item, str) and re.fullmatch("[0-9a-f]{64}", item) for item in data
-    ):
-        raise ValueError("it does not say which file was repaired")
-    return tuple(data)
 
 
 def records(data: object) -> tuple[RepairRecord, ...]:

@@ -1,20 +1,25 @@
 """The repair record beside a file that cannot hold it: NAME.mocapmend.json."""
 
 import hashlib
-from contextlib import suppress
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from mocapmend.files.atomic import write_atomically
+from mocapmend.files.atomic import staged
 from mocapmend.files.opening import cannot_read
 from mocapmend.files.provenance import Provenance, decode_sidecar, encode_sidecar
 
 SUFFIX = ".mocapmend.json"
 MOST_BYTES = 200_000_000
+NO_HASH = "0" * 64
+"""Holds the place of a hash that is not known yet."""
 
 
 def sidecar_path(path: Path) -> Path:
-    """Return where the record of a file is."""
+    """Return where the record of a file is; of a link, beside the file that it leads to."""
+    path = Path(os.path.realpath(path)) if path.is_symlink() else path
     return path.with_name(path.name + SUFFIX)
 
 
@@ -33,16 +38,38 @@ def hash_file(path: Path) -> str:
         raise cannot_read(str(path), error) from error
 
 
-def write(path: Path, provenance: Provenance, digest: str) -> None:
-    """Write the record of a file whose SHA-256 is known.
+@contextmanager
+def staged_record(path: Path, provenance: Provenance) -> Iterator[Callable[[Provenance], None]]:
+    """Prepare the record of a file that is replaced inside the context.
+
+    The record is on the disk before the file is replaced and gets its name after that: neither a
+    full disk nor a file that cannot be replaced takes the record of the former file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    provenance : Provenance
+        Its record; hashes may still be missing, if they are as long as those to come.
+
+    Yields
+    ------
+    callable
+        Takes the record with its hashes and gives it its name, once the file has its own.
 
     Raises
     ------
     MocapmendError
-        If it cannot be written.
+        If the record cannot be written.
     """
-    data = encode_sidecar(provenance, digest)
-    write_atomically(sidecar_path(path), lambda stream: _write(stream, data), lambda written: None)
+    data = encode_sidecar(provenance, NO_HASH)
+    with staged(sidecar_path(path), lambda stream: _write(stream, data)) as stage:
+
+        def finish(final: Provenance) -> None:
+            stage.overwrite(encode_sidecar(final, hash_file(path)))
+            stage.place()
+
+        yield finish
 
 
 def remove(path: Path) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,10 +13,12 @@ from mocapmend.files import sidecar
 from mocapmend.files.c3d_group import encode_group
 from mocapmend.files.c3d_new import room_for_records, write_new_c3d
 from mocapmend.files.c3d_numbers import Processor
-from mocapmend.files.c3d_reader import C3DFile
+from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.formats.export_csv import write_csv
 from mocapmend.files.formats.export_npz import write_npz
 from mocapmend.files.formats.export_trc import write_trc
+from mocapmend.files.formats.table import FORMATS
+from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance, RepairRecord
 from mocapmend.files.saving import Saved, check_place
 from mocapmend.files.source import Source
@@ -45,10 +48,14 @@ _WRITERS: Mapping[str, Callable[[_Content, Path], tuple[str, ...]]] = {
         leading=content.group,
         progress=content.progress,
     ),
-    ".trc": lambda content, out: write_trc(content.recording, out),
-    ".csv": lambda content, out: write_csv(content.recording, out),
+    ".trc": lambda content, out: write_trc(content.recording, out, progress=content.progress),
+    ".csv": lambda content, out: write_csv(content.recording, out, progress=content.progress),
     ".npz": lambda content, out: write_npz(
-        content.recording, out, bones=content.source.bones, filled=content.filled
+        content.recording,
+        out,
+        bones=content.source.bones,
+        filled=content.filled,
+        progress=content.progress,
     ),
 }
 LONG_CSV = ".long.csv"
@@ -57,9 +64,22 @@ WRITTEN = (*_WRITERS, LONG_CSV)
 """How the names of the files end that can be written."""
 
 
-def patches(source: Source, out: Path) -> bool:
+def patches(source: Source, out: Path) -> TypeGuard[C3DFile]:
     """Say whether a file is written as a patched copy of its source, so that nothing is lost."""
-    return isinstance(source, C3DFile) and out.suffix.lower() not in {*_WRITERS} - {".c3d"}
+    others = {end for item in FORMATS if item.read is not read_c3d for end in item.suffixes}
+    return isinstance(source, C3DFile) and out.suffix.lower() not in others
+
+
+def check_ending(source: Source, out: Path) -> None:
+    """Refuse a name that says another format than those that can be written.
+
+    Raises
+    ------
+    MocapmendError
+        If it does.
+    """
+    if not patches(source, out):
+        _writer(out)
 
 
 def write_recording(
@@ -98,16 +118,11 @@ def write_recording(
     """
     out = Path(out)
     check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
-    writer = _WRITERS.get(out.suffix.lower())
-    if writer is None:
-        known = ", ".join(_WRITERS)
+    writer = _writer(out)
+    if not recording.markers:
         raise MocapmendError(
-            f"Files that end in {out.suffix or 'nothing'} cannot be written.",
-            str(out),
-            f"Choose a name that ends in one of {known}.",
+            "The recording has no markers to write.", str(source.path), "Choose another one."
         )
-    if out.name.lower().endswith(LONG_CSV):
-        writer = _write_long
     provenance = _provenance(source, repairs)
     group = b""
     if provenance is not None and out.suffix.lower() == ".c3d":
@@ -118,18 +133,33 @@ def write_recording(
     for repair in () if provenance is None else provenance.repairs:
         start = repair.first_frame - recording.first_frame
         filled[start : repair.last_frame - recording.first_frame + 1, repair.point - 1] = True
-    notes = writer(_Content(source, recording, filled, group, progress), out)
-    progress(1.0)
+    content = _Content(source, recording, filled, group, progress)
     if provenance is None or group:
+        notes = writer(content, out)
         sidecar.remove(out)
     else:
-        sidecar.write(out, provenance, sidecar.hash_file(out))
+        with sidecar.staged_record(out, provenance) as finish:
+            notes = writer(content, out)
+            finish(provenance)
     record = "" if provenance is None else "group" if group else "sidecar"
     return Saved(out, int(filled.sum()), (*_lost(source, out), *notes), record=record)
 
 
+def _writer(out: Path) -> Callable[[_Content, Path], tuple[str, ...]]:
+    writer = _WRITERS.get(out.suffix.lower())
+    if writer is None:
+        raise MocapmendError(
+            f"Files that end in {out.suffix or 'nothing'} cannot be written.",
+            str(out),
+            f"Choose a name that ends in one of {', '.join(_WRITERS)}.",
+        )
+    return _write_long if out.name.lower().endswith(LONG_CSV) else writer
+
+
 def _write_long(content: _Content, out: Path) -> tuple[str, ...]:
-    return write_csv(content.recording, out, layout="long", filled=content.filled)
+    return write_csv(
+        content.recording, out, layout="long", filled=content.filled, progress=content.progress
+    )
 
 
 def _provenance(source: Source, repairs: Sequence[RepairRecord]) -> Provenance | None:
@@ -138,17 +168,25 @@ def _provenance(source: Source, repairs: Sequence[RepairRecord]) -> Provenance |
         return None
     markers = {point + 1: marker for marker, point in enumerate(source.stored_points)}
     moved = [replace(repair, point=markers[repair.point] + 1) for repair in repairs]
+    # Whatever they were made in: the same repairs give the same bytes.
+    moved.sort(key=lambda repair: (repair.point, repair.first_frame))
     earlier = () if source.provenance is None else source.provenance.inputs
+    with open_file(source.path) as (_, stamp):
+        if stamp != source.stamp:
+            raise changed_on_disk(source.path)
     return Provenance(tuple(moved), (*earlier, sidecar.hash_file(source.path)))
 
 
 def _lost(source: Source, out: Path) -> tuple[str, ...]:
     """Say what the new file does not have."""
+    end = out.suffix.lower()
     held = {
         "analog data": bool(source.analog_labels),
         "model outputs": bool(source.model_outputs),
         "residuals": isinstance(source, C3DFile),
-        "events": bool(source.events) and out.suffix.lower() != ".c3d",
+        "events": bool(source.events) and end != ".c3d",
+        "bones": bool(source.bones) and end != ".npz",
+        "the axis that points up": end == ".trc",
     }
     lost = [name for name, there in held.items() if there]
     return (f"The new file has the markers alone, without {', '.join(lost)}.",) if lost else ()

@@ -1,6 +1,7 @@
 """Tables of one line per sample: frame, time, marker, x, y, z."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,17 +65,23 @@ def read_samples(
         check_count(lines, len(samples.ids))
     if not samples.points:
         return Frames(np.empty(0), np.empty(0), np.empty((0, 0, 3))), ()
-    points = np.concatenate(samples.points)
-    samples.points.clear()
+    points = _joined(samples.points)
     rule.apply(points)
     return _arranged(
         lines,
-        np.concatenate(samples.frames),
-        np.concatenate(samples.times),
-        np.concatenate(samples.markers),
+        _joined(samples.frames),
+        _joined(samples.times),
+        _joined(samples.markers),
         points,
         tuple(samples.ids),
     )
+
+
+def _joined(parts: list[NDArray[Any]]) -> NDArray[Any]:
+    """Join arrays and let go of the parts."""
+    whole = np.concatenate(parts)
+    parts.clear()
+    return whole
 
 
 def _add(

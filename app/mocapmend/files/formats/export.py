@@ -11,6 +11,7 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files.atomic import write_atomically
 from mocapmend.files.formats.columns import clean_label
 from mocapmend.files.source import Source
+from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
 CELLS_AT_A_TIME = 200_000
@@ -37,10 +38,11 @@ def export_labels(recording: Recording, notes: list[str]) -> tuple[str, ...]:
     return labels
 
 
-def slices(recording: Recording) -> Iterator[slice]:
-    """Yield the frames in parts that are small in memory."""
+def slices(recording: Recording, progress: Progress) -> Iterator[slice]:
+    """Yield the frames in parts that are small in memory; they are half of the work."""
     step = max(CELLS_AT_A_TIME // (3 * recording.markers), 1)
     for start in range(0, recording.frames, step):
+        progress(0.5 * start / recording.frames)
         yield slice(start, min(start + step, recording.frames))
 
 
@@ -73,6 +75,7 @@ def write_verified(
     write: Callable[[BinaryIO], None],
     read: Callable[[Path], Source],
     points: NDArray[np.float64],
+    progress: Progress,
 ) -> None:
     """Write a file atomically; before it gets its name, read it again and compare.
 
@@ -89,5 +92,6 @@ def write_verified(
                 str(out),
                 "Try another disk.",
             )
+        progress(1.0)
 
     write_atomically(out, write, verify)

@@ -15,6 +15,7 @@ from mocapmend.files.formats.export import (
     slices,
     write_verified,
 )
+from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 STATES = ("measured", "filled", "missing")
@@ -26,6 +27,7 @@ def write_csv(
     *,
     layout: Literal["wide", "long"] = "wide",
     filled: NDArray[np.bool_] | None = None,
+    progress: Progress = no_progress,
 ) -> tuple[str, ...]:
     """Write a recording as a CSV file; cells of missing samples are empty.
 
@@ -44,6 +46,8 @@ def write_csv(
     filled : ndarray of bool, shape (frames, markers), optional
         Which samples were filled; the long layout gets the column state: measured, filled or
         missing. The wide layout has no place for it.
+    progress : Progress
+        Called often; may cancel.
 
     Returns
     -------
@@ -78,7 +82,7 @@ def write_csv(
 
     def write(stream: BinaryIO) -> None:
         stream.write(head.encode())
-        for part in slices(recording):
+        for part in slices(recording, progress):
             frames = frame_cells(recording, part, ",")
             if layout == "wide":
                 rows = coordinates(points[part].reshape(len(frames), -1), ",")
@@ -88,7 +92,7 @@ def write_csv(
                 lines = _sample_lines(frames, labels, points[part], some)
             stream.write("".join(lines).encode())
 
-    write_verified(Path(out), write, read_delimited, points)
+    write_verified(Path(out), write, read_delimited, points, progress)
     return tuple(notes)
 
 

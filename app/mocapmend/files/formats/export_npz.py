@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
-from zipfile import ZipFile
+from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.files.formats.export import export_labels, write_verified
 from mocapmend.files.formats.npz import read_npz
+from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 
@@ -19,6 +20,7 @@ def write_npz(
     *,
     bones: Sequence[tuple[int, int]] = (),
     filled: NDArray[np.bool_] | None = None,
+    progress: Progress = no_progress,
 ) -> tuple[str, ...]:
     """Write a recording as an .npz file, with NaN for missing samples.
 
@@ -35,6 +37,8 @@ def write_npz(
         Sticks, pairs of markers.
     filled : ndarray of bool, shape (frames, markers), optional
         Which samples were filled.
+    progress : Progress
+        Called often; may cancel.
 
     Returns
     -------
@@ -66,8 +70,11 @@ def write_npz(
         # As numpy.savez, which may pickle what it does not know.
         with ZipFile(stream, "w") as archive:
             for name, array in arrays.items():
-                with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                # With the time that stands for none: the same recording gives the same bytes.
+                info = ZipInfo(f"{name}.npy")
+                with archive.open(info, "w", force_zip64=True) as member:
                     np.lib.format.write_array(member, array, allow_pickle=False)
+                progress(0.5)
 
-    write_verified(Path(out), write, read_npz, points)
+    write_verified(Path(out), write, read_npz, points, progress)
     return tuple(notes)

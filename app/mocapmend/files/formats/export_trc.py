@@ -15,6 +15,7 @@ from mocapmend.files.formats.export import (
     write_verified,
 )
 from mocapmend.files.formats.trc import read_trc
+from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 UNITS = ("mm", "cm", "m")
@@ -23,7 +24,9 @@ NOT_ZERO = 1e-6
 """Length that is written for a coordinate of a sample at exactly (0, 0, 0)."""
 
 
-def write_trc(recording: Recording, out: Path) -> tuple[str, ...]:
+def write_trc(
+    recording: Recording, out: Path, *, progress: Progress = no_progress
+) -> tuple[str, ...]:
     """Write a recording as a TRC file; cells of missing samples are empty.
 
     Parameters
@@ -32,6 +35,8 @@ def write_trc(recording: Recording, out: Path) -> tuple[str, ...]:
         Every coordinate comes back exactly, if its unit is mm, cm or m.
     out : Path
         Where the file shall be; what was there before is replaced.
+    progress : Progress
+        Called often; may cancel.
 
     Returns
     -------
@@ -69,13 +74,13 @@ def write_trc(recording: Recording, out: Path) -> tuple[str, ...]:
 
     def write(stream: BinaryIO) -> None:
         stream.write(head.encode())
-        for part in slices(recording):
+        for part in slices(recording, progress):
             rows = coordinates(points[part].reshape(part.stop - part.start, -1), "\t")
             frames = frame_cells(recording, part, "\t")
             lines = (f"{a}\t{b}\n" for a, b in zip(frames, rows, strict=True))
             stream.write("".join(lines).encode())
 
-    write_verified(Path(out), write, read_trc, points)
+    write_verified(Path(out), write, read_trc, points, progress)
     return tuple(notes)
 
 
