@@ -55,6 +55,8 @@ class Outcome:
             methods=(self._method_text(),),
             limits=self._limits_text(),
             warnings=self.source.warnings,
+            earlier=len(self.source.repairs),
+            written=self.exported.saved.path.name,
             proof=self.exported.sentences,
         )
 

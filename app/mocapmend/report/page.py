@@ -34,6 +34,10 @@ class About:
         The limits that held, as a sentence.
     warnings : tuple of str
         What was odd about the file.
+    earlier : int
+        How many of the repairs the file had when it was opened.
+    written : str
+        Name of the file that was written, without its folder; empty where none was.
     proof : tuple of str
         What the checks of the written file found; empty where none was written.
     """
@@ -42,6 +46,8 @@ class About:
     methods: tuple[str, ...] = ()
     limits: str = ""
     warnings: tuple[str, ...] = ()
+    earlier: int = 0
+    written: str = ""
     proof: tuple[str, ...] = ()
 
 
