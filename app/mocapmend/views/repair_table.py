@@ -10,6 +10,7 @@ from PySide6.QtCore import (
     QSortFilterProxyModel,
     Qt,
 )
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QLabel, QStackedLayout, QTableView, QWidget
 
 from mocapmend.document import Document, Repair
@@ -24,6 +25,7 @@ RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 NUMBERS = {1, 2, 4}
 """Columns that are aligned at the right."""
+ARROWS = {Qt.Key.Key_Up, Qt.Key.Key_Down}
 WIDEST_MARKER = 320
 """Pixels."""
 
@@ -114,6 +116,17 @@ class RepairModel(QAbstractTableModel):
         self.endResetModel()
 
 
+class _Table(QTableView):
+    """A table in which, while nothing is marked, an arrow key marks the row where it is."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        place = self.currentIndex()
+        if event.key() in ARROWS and place.isValid() and not self.selectionModel().hasSelection():
+            self.selectRow(place.row())
+        else:
+            super().keyPressEvent(event)
+
+
 class RepairTable(QWidget):
     """The list of the repairs; the current one is the view state's gap."""
 
@@ -141,7 +154,7 @@ class RepairTable(QWidget):
         self._show_page()
 
     def _make_table(self, longest: str) -> QTableView:
-        table = QTableView()
+        table = _Table()
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
@@ -164,7 +177,7 @@ class RepairTable(QWidget):
         for column in (3, 5):
             table.setItemDelegateForColumn(column, Indented(table))
         table.clicked.connect(self._go_to)
-        table.selectionModel().currentRowChanged.connect(self._lead)
+        table.selectionModel().selectionChanged.connect(self._lead)
         return table
 
     def _keep_place(self) -> None:
@@ -178,10 +191,11 @@ class RepairTable(QWidget):
     def _go_to(self, index: QModelIndex) -> None:
         self._view.go_to(self._model.gap(self._proxy.mapToSource(index).row()))
 
-    def _lead(self, index: QModelIndex) -> None:
-        """Go to the repair that the user has moved to: what is marked is what Del reverts."""
-        if index.isValid() and not self._following:
-            self._go_to(index)
+    def _lead(self) -> None:
+        """Go to the repair that the user has marked: it is what Del reverts."""
+        chosen = self.table.selectionModel().selectedRows()
+        if chosen and not self._following:
+            self._go_to(chosen[0])
 
     def _follow(self, gap: Gap | None) -> None:
         """Mark the repair of the current gap."""
@@ -198,8 +212,9 @@ class RepairTable(QWidget):
         self._following = False
 
     def _mark_none(self) -> None:
-        """Mark no row; the next one down is what comes after the last that was marked."""
-        before = self._proxy.index(self._row - 1, 0)
+        """Mark no row, but keep the place: a repair that was reverted gives its own to the next."""
+        place = self._proxy.index(min(self._row, self._proxy.rowCount() - 1), 0)
         self.table.clearSelection()
-        flags = QItemSelectionModel.SelectionFlag
-        self.table.selectionModel().setCurrentIndex(before, flags.NoUpdate)
+        self.table.selectionModel().setCurrentIndex(
+            place, QItemSelectionModel.SelectionFlag.NoUpdate
+        )
