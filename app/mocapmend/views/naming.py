@@ -1,5 +1,6 @@
 """What new files are called, and which kind of file a name and a choice mean."""
 
+import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -9,12 +10,17 @@ from mocapmend.files import WRITTEN
 def repaired_name(name: str) -> str:
     """Return what the repaired copy of a file is called if the user does not care.
 
-    It is of the same format where that can be written, and a C3D file elsewhere.
+    It is of the same format where that can be written, and a C3D file elsewhere. Copies of copies
+    are numbered.
     """
     end = _ending(name, WRITTEN)
-    if not end:
-        return f"{Path(name).stem}_repaired.c3d"
-    return f"{name.removesuffix(end)}_repaired{end}"
+    stem = name.removesuffix(end) if end else Path(name).stem
+    copy = re.fullmatch(r"(?P<stem>.*_repaired)(_(?P<number>\d{1,6}))?", stem)
+    if copy is None:
+        stem = f"{stem}_repaired"
+    else:
+        stem = f"{copy['stem']}_{int(copy['number'] or 1) + 1}"
+    return stem + (end or ".c3d")
 
 
 def kind_of(name: str, kinds: Mapping[str, str]) -> str:
