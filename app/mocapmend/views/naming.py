@@ -15,12 +15,9 @@ def repaired_name(name: str) -> str:
     """
     end = _ending(name, WRITTEN)
     stem = name.removesuffix(end) if end else Path(name).stem
-    copy = re.fullmatch(r"(?P<stem>.*_repaired)(_(?P<number>\d{1,6}))?", stem)
-    if copy is None:
-        stem = f"{stem}_repaired"
-    else:
-        stem = f"{copy['stem']}_{int(copy['number'] or 1) + 1}"
-    return stem + (end or ".c3d")
+    copy = re.fullmatch(r"(.*_repaired)(?:_(\d{1,6}))?", stem)
+    again = f"{stem}_repaired" if copy is None else f"{copy[1]}_{int(copy[2] or 1) + 1}"
+    return again + (end or ".c3d")
 
 
 def kind_of(name: str, kinds: Mapping[str, str]) -> str:

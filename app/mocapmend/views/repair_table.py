@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLabel, QStackedLayout, QTableV
 from mocapmend.document import Document, Repair
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
-from mocapmend.views.tables import Indented, dress, narrow
+from mocapmend.views.tables import INDENT, Indented, dress, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.registry import method_label
@@ -25,6 +25,8 @@ RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 NUMBERS = {1, 2, 4}
 """Columns that are aligned at the right."""
+INDENTED = {3, 5}
+"""Columns of texts that follow one of numbers."""
 ARROWS = {Qt.Key.Key_Up, Qt.Key.Key_Down}
 WIDEST_MARKER = 320
 """Pixels."""
@@ -70,7 +72,9 @@ class RepairModel(QAbstractTableModel):
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return RIGHT if section in NUMBERS else LEFT
-        return self._columns[section] if role == Qt.ItemDataRole.DisplayRole else None
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        return (INDENT if section in INDENTED else "") + self._columns[section]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         gap, repair = self._rows[index.row()]
@@ -174,7 +178,7 @@ class RepairTable(QWidget):
         widths = {i: max(advance(text), advance(headers[i])) + 24 for i, text in texts.items()}
         widths[0] = min(widths[0], WIDEST_MARKER)
         narrow(table, widths, stretched=5)
-        for column in (3, 5):
+        for column in INDENTED:
             table.setItemDelegateForColumn(column, Indented(table))
         table.clicked.connect(self._go_to)
         table.selectionModel().selectionChanged.connect(self._lead)

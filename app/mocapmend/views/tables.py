@@ -30,8 +30,11 @@ def narrow(table: QTableView, widths: dict[int, int], stretched: int = 0) -> Non
         header.resizeSection(column, width)
 
 
+INDENT = "   "
+
+
 class Indented(QStyledItemDelegate):
     """Keeps the texts of a column off the numbers of the one before it."""
 
     def displayText(self, value: Any, locale: QLocale | QLocale.Language) -> str:
-        return f"   {super().displayText(value, locale)}"
+        return INDENT + super().displayText(value, locale)
