@@ -56,7 +56,6 @@ class Outcome:
             limits=self._limits_text(),
             warnings=self.source.warnings,
             earlier=len(self.source.repairs),
-            written=self.exported.saved.path.name,
             proof=self.exported.sentences,
         )
 

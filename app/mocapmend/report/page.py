@@ -36,8 +36,6 @@ class About:
         What was odd about the file.
     earlier : int
         How many of the repairs the file had when it was opened.
-    written : str
-        Name of the file that was written, without its folder; empty where none was.
     proof : tuple of str
         What the checks of the written file found; empty where none was written.
     """
@@ -47,7 +45,6 @@ class About:
     limits: str = ""
     warnings: tuple[str, ...] = ()
     earlier: int = 0
-    written: str = ""
     proof: tuple[str, ...] = ()
 
 

@@ -298,7 +298,6 @@ class Workspace(QMainWindow):
             methods=tuple(method_label(method) for method in used),
             warnings=document.source.warnings,
             earlier=sum(map(document.is_earlier, document.repairs)),
-            written="" if proof is None else proof.saved.path.name,
             proof=() if proof is None else proof.sentences,
         )
         still_open = set(document.gaps)
