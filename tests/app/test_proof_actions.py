@@ -336,6 +336,16 @@ def test_before_an_export_the_likely_copy_is_proposed(
     quiet(window, qtbot)
 
 
+def test_an_export_that_is_no_copy_is_not_proposed(
+    open_in: Open, copy: Path, choose: list[str], qtbot: QtBot, tmp_path: Path
+) -> None:
+    window = open_in(copy)
+    export(window, tmp_path / "walk.trc", qtbot)
+    window.actions_by_id["check_copy"].trigger()
+    assert choose == [str(tmp_path)]
+    assert str(tmp_path) in error_in(window, qtbot), "a folder is chosen, which is no recording"
+
+
 def test_only_copies_of_c3d_files_can_be_checked(
     open_in: Open, gait: Path, qtbot: QtBot, tmp_path: Path
 ) -> None:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, recipe
 from mocapmend.document import Document, Edit
-from mocapmend.files import CheckReport
+from mocapmend.files import CheckReport, patches
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -90,10 +90,13 @@ class ProofActions(QObject):
         workspace = self._window.workspace
         if workspace is None:
             return
-        likely = self._window.files.folder() / self._window.files.export_name()
+        likely, last = self._window.files.folder(), workspace.last_export
+        likely /= self._window.files.export_name()
+        if last is not None and patches(workspace.document.source, last):
+            likely = last
         path = self._ask(
             self.tr("Check a repaired copy"),
-            workspace.last_export or likely,
+            likely,
             self.tr("C3D recordings (*.c3d *.C3D);;All files (*)"),
         )
         if path is not None:
