@@ -203,6 +203,30 @@ def test_the_second_reader_contradicts(source: C3DFile, tmp_path: Path) -> None:
         confirm_with_c3d(source.path, tmp_path / "missing.c3d", source, runs)
 
 
+@pytest.mark.parametrize("machine", ["intel", "dec", "mips"])
+def test_tiny_numbers_that_the_second_reader_takes_for_others(
+    machine: Machine, tmp_path: Path
+) -> None:
+    path, out = tmp_path / "file.c3d", tmp_path / "out.c3d"
+    path.write_bytes(encode(Synthetic(walk(), machine)))
+    source = read_c3d(path)
+    runs = [SampleRun(1, 3, np.array([[1e-39, 5.0, -1e-40]]))]
+    save_patched(source, runs, out)
+    assert "1 of 1 written samples decode" in confirm_with_c3d(path, out, source, runs)
+
+
+def test_frames_that_only_the_second_reader_sees_are_not_compared(tmp_path: Path) -> None:
+    path, out = tmp_path / "file.c3d", tmp_path / "out.c3d"
+    path.write_bytes(encode(Synthetic(walk(), is_float=False, header={5: 45})) + bytes(range(250)))
+    source = read_c3d(path)
+    assert source.layout.frames == 40
+    # Too large for the integers: the samples become floats, and what follows them stays as it is.
+    runs = [SampleRun(1, 3, np.full((2, 3), 9000.0))]
+    saved = save_patched(source, runs, out, repairs=())
+    assert read_c3d(saved.path).layout.is_float
+    assert "read 40 frames" in confirm_with_c3d(path, out, source, runs)
+
+
 def test_a_file_that_the_second_reader_refuses(tmp_path: Path) -> None:
     path = tmp_path / "rate.c3d"
     path.write_bytes(encode(Synthetic(walk(), parameters={"POINT:RATE": [50.0]})))

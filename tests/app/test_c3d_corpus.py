@@ -17,13 +17,18 @@ import pytest
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     C3DFile,
+    RepairRecord,
     SampleRun,
     check_files,
     confirm_with_c3d,
     read_c3d,
     save_patched,
 )
+from mocapmend.files.c3d_group import NAME
+from mocapmend.files.c3d_head import leading_blocks, remove_group
 from mocapmend.files.c3d_samples import marked_missing, point_words, read_blocks, unmarked_missing
+from mocapmend.files.c3d_target import plan
+from mocapmend.files.provenance import Provenance
 from mocapmend.files.second_reader import REFUSALS
 from mocapmend_algorithms import find_gaps
 
@@ -77,6 +82,7 @@ def manifest() -> list[Row]:
 
 ROWS = manifest()
 FILES = [*sorted(SAMPLES.glob("*.c3d")), *(row.path for row in ROWS)]
+INTEGERS = [row.path for row in ROWS if row.kind.endswith("int") and row.missing > 0]
 each_row = pytest.mark.parametrize("row", ROWS, ids=lambda row: row.path.stem)
 each_file = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 
@@ -403,3 +409,35 @@ def test_save_and_check(path: Path, tmp_path: Path) -> None:
         touched[run.start : run.start + len(run.values), run.marker] = True
     np.testing.assert_array_equal(again.recording.points[~touched], file.recording.points[~touched])
     np.testing.assert_array_equal(again.residuals[~touched], file.residuals[~touched])
+
+
+@each_file
+def test_the_repair_record_fits_into_the_file(path: Path) -> None:
+    source = read_c3d(path)
+    records = tuple(RepairRecord("M", i, 1, 2, "cubic") for i in range(1, 40))
+    target = plan(source, Provenance(records, ("0" * 64,)), to_float=False)
+    assert target.record == "group"
+    blocks = leading_blocks(target.head, target.layout, NAME)
+    head = path.read_bytes()[: source.layout.data_start]
+    assert remove_group(target.head, target.layout, blocks) == head
+
+
+@pytest.mark.parametrize("path", INTEGERS, ids=lambda path: path.stem)
+def test_integers_become_floats_that_decode_the_same(path: Path, tmp_path: Path) -> None:
+    source = read_c3d(path)
+    gap, first = find_gaps(source.recording.present)[0], source.recording.first_frame
+    run = SampleRun(gap.marker, gap.start, np.full((gap.length, 3), 1e6))
+    point = source.stored_points[gap.marker] + 1
+    record = RepairRecord("M", point, first + gap.start, first + gap.stop - 1, "cubic")
+    saved = save_patched(source, [run], tmp_path / "out.c3d", repairs=[record])
+    assert saved.converted
+    floats = read_c3d(saved.path)
+    points = source.recording.points.copy()
+    points[gap.start : gap.stop, gap.marker] = 1e6
+    np.testing.assert_array_equal(floats.recording.points, points)
+    present = source.recording.present
+    np.testing.assert_array_equal(floats.residuals[present], source.residuals[present])
+    np.testing.assert_array_equal(floats.read_analog(), source.read_analog())
+    assert floats.events == source.events
+    assert check_files(path, saved.path).passed
+    confirm_with_c3d(path, saved.path, source, [run])

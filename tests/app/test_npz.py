@@ -146,6 +146,19 @@ def test_what_is_no_recording(arrays: dict[str, Any], message: str, tmp_path: Pa
     assert caught.value.todo
 
 
+@pytest.mark.parametrize("code", [0xD800, 0x110000, 0x7F000000, 0xFFFFFFFF])
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_texts_of_no_characters_are_no_texts(code: int, order: str, tmp_path: Path) -> None:
+    damaged = np.array([ord("m"), code], order + "u4").view(order + "U1")
+    unit = np.array([code, ord("m")], order + "u4").view(order + "U2")[0:1]
+    file = read_recording(save(tmp_path, pos=np.ones((4, 2, 3)), names=damaged, units=unit))
+    assert (
+        file.recording.labels
+        == read_recording(save(tmp_path, pos=np.ones((4, 2, 3)))).recording.labels
+    )
+    assert file.recording.unit == "m"
+
+
 def test_nothing_is_unpickled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     path = save(tmp_path, **GOOD | {"names": np.array([Bomb(), Bomb()], object)})

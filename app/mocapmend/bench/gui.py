@@ -1,5 +1,6 @@
 """Scrubbing and start-up of the window, on whatever platform Qt finds."""
 
+import argparse
 import os
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication
 
 from mocapmend import engine
+from mocapmend.bench.arguments import add_size
 from mocapmend.bench.synthetic import write_recording
 from mocapmend.bench.table import Row, Table
 from mocapmend.errors import MocapmendError
@@ -30,8 +32,14 @@ PLOTS = 12
 PATIENCE_S = 10.0
 
 
-def run(*, frames: int, runs: int) -> Table:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the benchmark takes."""
+    add_size(parser)
+
+
+def run(arguments: argparse.Namespace) -> Table:
     """Measure 100 markers with 10,000 gaps in a window of 1600 x 950."""
+    frames, runs = arguments.frames, arguments.runs
     if sys.platform == "linux" and not (
         os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     ):

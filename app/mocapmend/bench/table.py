@@ -16,8 +16,8 @@ class Row:
     ----------
     what : str
         What was measured.
-    figure : float
-        Median over the runs.
+    figure : float or None
+        Median over the runs; None where there is none.
     unit : str
         Of `figure`.
     against : str
@@ -26,22 +26,36 @@ class Row:
         Median of the run-by-run ratios to the peer, or the ratio to the limit.
     target : str
         What the ratio should be, such as "<= 3".
+    note : str
+        Why there is no figure.
     """
 
     what: str
-    figure: float
+    figure: float | None
     unit: str
     against: str = ""
     ratio: float | None = None
     target: str = ""
+    note: str = ""
 
 
 @dataclass
 class Table:
-    """The rows of a benchmark and the machine that they were measured on."""
+    """The rows of a benchmark and the machine that they were measured on.
+
+    Attributes
+    ----------
+    title : str
+        What was measured.
+    rows : list of Row
+        The figures.
+    failed : bool
+        Whether the program did something wrong: then the command ends with code 1.
+    """
 
     title: str
     rows: list[Row] = field(default_factory=list)
+    failed: bool = False
 
     def as_json(self) -> dict[str, Any]:
         """Return the table for a JSON document."""
@@ -62,7 +76,7 @@ class Table:
         ]
         for row in self.rows:
             ratio = "" if row.ratio is None else f"{row.ratio:.2f}"
-            figure = f"{row.figure:.3g} {row.unit}"
+            figure = row.note if row.figure is None else _figure(row.figure, row.unit)
             lines.append(f"| {row.what} | {figure} | {row.against} | {ratio} | {row.target} |")
         return "\n".join(lines) + "\n"
 
@@ -73,3 +87,8 @@ def machine() -> str:
         f"{os.cpu_count()} cores, {platform.machine()}, {platform.system()}, "
         f"Python {platform.python_version()}, numpy {np.__version__}"
     )
+
+
+def _figure(value: float, unit: str) -> str:
+    """Write a measured figure, or a count, which has no unit, with all its digits."""
+    return f"{value:.3g} {unit}" if unit else f"{value:,.0f}"

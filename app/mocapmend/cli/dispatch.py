@@ -20,7 +20,7 @@ COMMANDS = {
     "repair": "fill gaps and write a repaired copy",
     "replay": "make the edits of a recipe again",
     "check": "prove that a repaired file differs from its original in repaired samples alone",
-    "bench": "measure speed: bench io, bench gui",
+    "bench": "measure speed, and try damaged files: bench io, bench gui, bench fuzz",
 }
 _HELP = """\
 commands (mocapmend COMMAND --help says more):

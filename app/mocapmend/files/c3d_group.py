@@ -11,7 +11,7 @@ from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.c3d_parameters import Parameters
 from mocapmend.files.c3d_section import group_record, integer_record, text_record, text_records
-from mocapmend.files.provenance import FORMAT, Provenance, line, records
+from mocapmend.files.provenance import FORMAT, Provenance, hashes, line, records
 
 NAME = "MOCAPMEND"
 ABOUT = "Repairs by mocapmend: one JSON object each; points are counted from 1"
@@ -61,7 +61,7 @@ def decode_group(parameters: Parameters) -> Provenance | None:
         raise ValueError(f"it has format {stated:g}, and this version reads {FORMAT}")
     return Provenance(
         repairs=records(list(_objects("".join(parameters.texts(f"{NAME}:REPAIRS"))))),
-        inputs=parameters.texts(f"{NAME}:INPUTS"),
+        inputs=hashes(list(parameters.texts(f"{NAME}:INPUTS"))),
         converted=parameters.number(f"{NAME}:CONVERTED") == 1,
         program=parameters.text(f"{NAME}:PROGRAM"),
     )

@@ -145,7 +145,9 @@ def check_files(
     unlisted = np.zeros_like(found.changed)
     if record is not None:
         unlisted = found.changed & ~reverted & ~_listed(record, alignment.layout)
-        if record != earlier and sidecar.hash_file(original) not in record.inputs:
+        # A copy without new repairs has the record of its original, which names one before.
+        copied = earlier is not None and record.inputs == earlier.inputs
+        if not copied and sidecar.hash_file(original) not in record.inputs:
             others.append("The repair record names another original.")
     others += _sentences(layout, labels, models, found, unlisted)
     if alignment.converted and not (record is not None and record.converted):

@@ -5,6 +5,7 @@ It has no times in it: the same edits of the same file give the same bytes.
 
 import json
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
@@ -159,11 +160,9 @@ def decode_sidecar(raw: bytes) -> tuple[Provenance, str]:
     output = data.get("output_sha256")
     if not isinstance(output, str):
         raise ValueError("it does not say which file it belongs to")
-    inputs = data.get("inputs")
-    if not isinstance(inputs, list) or not all(isinstance(item, str) for item in inputs):
-        raise ValueError("it does not say which file was repaired")
+    inputs = hashes(data.get("inputs"))
     converted, program = data.get("converted") is True, str(data.get("program"))
-    return Provenance(repairs, tuple(inputs), converted, program), output
+    return Provenance(repairs, inputs, converted, program), output
 
 
 def decode_document(raw: bytes, key: str) -> dict[str, Any]:
@@ -183,6 +182,21 @@ def decode_document(raw: bytes, key: str) -> dict[str, Any]:
     if data[key] != FORMAT:
         raise ValueError(f"it has format {data[key]!r}, and this version reads {FORMAT}")
     return data
+
+
+def hashes(data: object) -> tuple[str, ...]:
+    """Make sure that something is a list of SHA-256.
+
+    Raises
+    ------
+    ValueError
+        If it is not.
+    """
+    if not isinstance(data, list) or not all(
+        isinstance(item, str) and re.fullmatch("[0-9a-f]{64}", item) for item in data
+    ):
+        raise ValueError("it does not say which file was repaired")
+    return tuple(data)
 
 
 def records(data: object) -> tuple[RepairRecord, ...]:

@@ -1,5 +1,6 @@
 """Reading recordings from .npz files of NumPy."""
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -103,14 +104,21 @@ def _names(arrays: ZipArrays, path: Path, markers: int) -> list[str]:
 
 
 def _texts(array: NDArray[Any]) -> list[str]:
-    try:
-        texts = array.ravel().tolist()
-    except ValueError:
-        # Damaged: numbers that are no characters.
+    if array.dtype.kind == "U" and not _are_characters(array):
         return [""] * array.size
+    texts = array.ravel().tolist()
     if array.dtype.kind == "S":
         texts = [text.decode("utf-8", "replace") for text in texts]
     return [clean_label(text) for text in texts]
+
+
+def _are_characters(array: NDArray[Any]) -> bool:
+    """Whether a text array holds characters: damaged ones may hold any number."""
+    if not array.nbytes:
+        return True
+    codes = np.ascontiguousarray(array.ravel()).view(array.dtype.str[0] + "u4")
+    surrogates = (codes >= 0xD800) & (codes <= 0xDFFF)
+    return not (surrogates | (codes > sys.maxunicode)).any()
 
 
 def _text(arrays: ZipArrays, name: str) -> str:
