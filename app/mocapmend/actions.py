@@ -28,7 +28,8 @@ class ActionSpec:
     keys : tuple
         Shortcuts: standard keys, so that each platform has its own, or texts.
     needs : str
-        "nothing", "document" (any open file), or "markers" (a file that has some).
+        "nothing", "document" (any open file), "c3d" (one of that format), or "markers" (a file
+        that has some).
     checkable : bool
         Whether it switches something on and off.
     starts_group : bool
@@ -39,7 +40,7 @@ class ActionSpec:
     menu: Menu
     text: str
     keys: tuple[str | QKeySequence.StandardKey, ...] = ()
-    needs: Literal["nothing", "document", "markers"] = "markers"
+    needs: Literal["nothing", "document", "c3d", "markers"] = "markers"
     checkable: bool = False
     starts_group: bool = False
 
@@ -61,21 +62,21 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "File",
         QT_TRANSLATE_NOOP("Actions", "Check a repaired copy…"),
         ("Ctrl+K",),
-        "document",
+        "c3d",
         starts_group=True,
     ),
     ActionSpec("save_recipe", "File", QT_TRANSLATE_NOOP("Actions", "Save recipe…")),
     ActionSpec("replay_recipe", "File", QT_TRANSLATE_NOOP("Actions", "Replay recipe…")),
     ActionSpec(
-        "close", "File", QT_TRANSLATE_NOOP("Actions", "Close file"), (_Key.Close,), "document"
+        "close",
+        "File",
+        QT_TRANSLATE_NOOP("Actions", "Close file"),
+        (_Key.Close,),
+        "document",
+        starts_group=True,
     ),
     ActionSpec(
-        "quit",
-        "File",
-        QT_TRANSLATE_NOOP("Actions", "Quit"),
-        (_Key.Quit, "Ctrl+Q"),
-        "nothing",
-        starts_group=True,
+        "quit", "File", QT_TRANSLATE_NOOP("Actions", "Quit"), (_Key.Quit, "Ctrl+Q"), "nothing"
     ),
     ActionSpec("undo", "Edit", QT_TRANSLATE_NOOP("Actions", "Undo"), (_Key.Undo,), "document"),
     ActionSpec(
@@ -178,6 +179,19 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "zoom_out", "View", QT_TRANSLATE_NOOP("Actions", "Zoom out on the time axis"), ("-",)
     ),
     ActionSpec("zoom_all", "View", QT_TRANSLATE_NOOP("Actions", "Whole recording"), ("0",)),
+    ActionSpec(
+        "show_timeline",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the timeline"),
+        ("Ctrl+1",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "show_repairs", "View", QT_TRANSLATE_NOOP("Actions", "Go to the repairs"), ("Ctrl+2",)
+    ),
+    ActionSpec(
+        "show_report", "View", QT_TRANSLATE_NOOP("Actions", "Go to the report"), ("Ctrl+3",)
+    ),
     ActionSpec(
         "theme",
         "View",

@@ -28,7 +28,7 @@ from mocapmend.files.provenance import (
     records,
 )
 from mocapmend.files.sidecar import hash_file
-from mocapmend_algorithms import Gap, Progress, Recording, find_gaps
+from mocapmend_algorithms import Gap, Progress, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -78,7 +78,12 @@ def recipe_of(source: Source, repairs: Sequence[RepairRecord]) -> Recipe:
     )
 
 
-def write_recipe(source: Source, repairs: Sequence[RepairRecord], path: Path) -> None:
+def write_recipe(
+    source: Source,
+    repairs: Sequence[RepairRecord],
+    path: Path,
+    progress: Progress = no_progress,
+) -> None:
     """Write a recipe; a file of that name is replaced.
 
     Raises
@@ -92,6 +97,7 @@ def write_recipe(source: Source, repairs: Sequence[RepairRecord], path: Path) ->
     edits += [{"do": "reopen", **item.as_json()} for item in recipe.reopened]
     data = encode_document(head, "edits", edits)
     write_atomically(path, lambda stream: _write(stream, data), lambda written: None)
+    progress(1.0)
 
 
 def read_recipe(path: Path) -> Recipe:
@@ -158,6 +164,20 @@ def plan(source: Source, recipe: Recipe) -> Plan:
             ways[alike] = _method(source, item)
         jobs.setdefault(alike, []).append(gap)
     return Plan(reopened, tuple(FillJob(*ways[key], tuple(of)) for key, of in jobs.items()))
+
+
+def prepare(source: Source, path: Path, progress: Progress) -> tuple[Plan, bool]:
+    """Read a recipe and find its gaps in a file, and say whether it was made for this very file.
+
+    Raises
+    ------
+    MocapmendError
+        If it is no recipe, or does not fit the file.
+    """
+    recipe = read_recipe(path)
+    planned = plan(source, recipe)
+    progress(0.5)
+    return planned, hash_file(source.path) == recipe.input
 
 
 def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> list[FillResult]:

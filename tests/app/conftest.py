@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
+from repaired_files import write_repaired
 
 from mocapmend.document import Document
 from mocapmend.engine import load
@@ -17,14 +18,16 @@ from mocapmend_algorithms import no_progress
 
 
 @pytest.fixture(autouse=True)
-def _no_file_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Fail where a test would wait for ever for somebody to choose a file."""
+def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fail where a test would wait for ever for somebody to answer."""
 
-    def refuse(*_: object) -> tuple[str, str]:
-        raise AssertionError("a file dialog was opened, and the test has no answer for it")
+    def refuse(*args: object) -> None:
+        raise AssertionError(f"a dialog was opened, and the test has no answer for it: {args}")
 
     for name in ("getOpenFileName", "getSaveFileName"):
         monkeypatch.setattr(QFileDialog, name, refuse)
+    for name in ("exec", "about", "critical", "information", "question", "warning"):
+        monkeypatch.setattr(QMessageBox, name, refuse)
 
 
 @pytest.fixture
@@ -51,6 +54,20 @@ def gait(samples: Path) -> Path:
 def sprint(samples: Path) -> Path:
     """Return the bundled sprint recording: 26 markers, 780 real gaps, the first frame is 0."""
     return samples / "sprint_basketball.c3d"
+
+
+@pytest.fixture(scope="session")
+def repaired_gait(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the gait recording with its short gaps repaired; the repair record is in the file."""
+    out = tmp_path_factory.mktemp("repaired") / "gait_repaired.c3d"
+    return write_repaired(samples / "gait_plug_in_gait.c3d", out, longest=20)
+
+
+@pytest.fixture(scope="session")
+def repaired_sprint(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the sprint recording with its 780 gaps repaired; the repair record is beside it."""
+    out = tmp_path_factory.mktemp("repaired") / "sprint_repaired.c3d"
+    return write_repaired(samples / "sprint_basketball.c3d", out)
 
 
 @pytest.fixture

@@ -1,10 +1,12 @@
 """The pictures of long recordings are exact: no gap and no extreme is lost by zooming out."""
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from mocapmend.views.columns import Envelope, column_edges, columns_with
+from mocapmend.views.lane import ticks, value_range
 from mocapmend_algorithms.gaps import runs
 
 
@@ -66,3 +68,20 @@ def test_missing_frames_break_the_line() -> None:
     values[40:60] = np.nan
     line = Envelope(values).line(0, 0, 100, 500)
     assert np.isnan(line[(line[:, 0] >= 40) & (line[:, 0] < 60), 1]).all()
+
+
+@pytest.mark.parametrize("value", [0.0, 93.02, -1500.0])
+def test_the_axis_of_a_constant_has_few_digits(value: float) -> None:
+    rng = np.random.default_rng(0)
+    noise = 1e-12 * rng.standard_normal(50)
+    low, high = value_range([np.stack((np.arange(50.0), value + noise), axis=1)])
+    assert low < value < high
+    marks, decimals = ticks(low, high, 3)
+    assert len(marks) >= 1
+    assert decimals <= 3
+
+
+def test_the_axis_spans_what_varies_with_a_margin() -> None:
+    line = np.array([[0.0, 1.0], [1.0, np.nan], [2.0, 3.0]])
+    assert value_range([line]) == pytest.approx((0.84, 3.16))
+    assert value_range([]) == (0.0, 1.0)

@@ -53,6 +53,7 @@ class Outcome:
             methods=(self._method_text(),),
             limits=self._limits_text(),
             warnings=self.source.warnings,
+            earlier=len(self.source.repairs),
             proof=self.exported.sentences,
         )
 

@@ -81,6 +81,8 @@ class CheckReport:
         if self.identical:
             return "The files are the same, byte for byte."
         samples = f"{self.changed_samples} marker sample" + "s" * (self.changed_samples != 1)
+        if self.changed:
+            samples += f" in {len(self.changed)} run" + "s" * (len(self.changed) != 1)
         if self.passed and self.allowed:
             return (
                 f"Check passed: {samples} changed; but for the differences that are allowed, all "

@@ -34,6 +34,8 @@ class About:
         The limits that held, as a sentence.
     warnings : tuple of str
         What was odd about the file.
+    earlier : int
+        How many of the repairs the file had when it was opened.
     proof : tuple of str
         What the checks of the written file found; empty where none was written.
     """
@@ -42,6 +44,7 @@ class About:
     methods: tuple[str, ...] = ()
     limits: str = ""
     warnings: tuple[str, ...] = ()
+    earlier: int = 0
     proof: tuple[str, ...] = ()
 
 

@@ -5,13 +5,16 @@ from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QTableWidget, QVBoxLayout, QWidget
 
 from mocapmend.files import CheckReport
 from mocapmend.views.dialogs import table_dialog
+from mocapmend.views.tables import narrow
 
 translate = QCoreApplication.translate
 MOST_LISTED = 12
+NUMBERS = (1, 2, 3)
+"""Columns that are aligned at the right."""
 
 
 def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckReport) -> QDialog:
@@ -32,6 +35,12 @@ def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckRe
     title = translate("Check", "Check of {0}").format(repaired.name)
     dialog = table_dialog(parent, title, headers, rows)
     dialog.setModal(False)
+    table = dialog.findChild(QTableWidget)
+    assert table is not None
+    _arrange(table)
+    if not rows:
+        table.hide()
+        dialog.resize(dialog.width(), 0)
     verdict = QLabel(_verdict(original, repaired, found))
     verdict.setTextFormat(Qt.TextFormat.RichText)
     verdict.setWordWrap(True)
@@ -42,12 +51,28 @@ def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckRe
     return dialog
 
 
+def _arrange(table: QTableWidget) -> None:
+    """Give the markers the room, and align the numbers."""
+    header = table.horizontalHeader()
+    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    widths = {}
+    for column in NUMBERS:
+        widths[column] = 16 + max(header.sectionSizeHint(column), table.sizeHintForColumn(column))
+        for item in (
+            table.horizontalHeaderItem(column),
+            *(table.item(row, column) for row in range(table.rowCount())),
+        ):
+            assert item is not None
+            item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    narrow(table, widths)
+
+
 def _verdict(original: Path, repaired: Path, found: CheckReport) -> str:
     mark = "✔" if found.passed else "✘"
     parts = [
         f"<b>{mark} {escape(found.sentence)}</b>",
         translate("Check", "Original: {0}<br>Copy: {1}").format(
-            escape(str(original)), escape(str(repaired))
+            escape(str(original.resolve())), escape(str(repaired.resolve()))
         ),
         _list(translate("Check", "These differences are allowed:"), found.allowed),
         _list(translate("Check", "These are not:"), found.other_differences),

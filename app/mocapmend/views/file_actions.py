@@ -10,9 +10,10 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 from mocapmend import engine
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
-from mocapmend.files import FORMATS, LONG_CSV, WRITTEN, Source, same_file
+from mocapmend.files import FORMATS, LONG_CSV, Source, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
+from mocapmend.views.naming import kind_of, meant, repaired_name
 from mocapmend.views.recovery import Recovery
 from mocapmend.views.samples import is_sample
 from mocapmend_algorithms.skeleton import Skeleton
@@ -95,9 +96,6 @@ class FileActions(QObject):
         """Let the user choose where the repaired recording goes, and write it there."""
         if self._window.workspace is None:
             return
-        source = self._window.workspace.document.source
-        suffix = source.path.suffix
-        own = suffix.lower() if suffix.lower() in WRITTEN else ".c3d"
         kinds = {
             self.tr("C3D (*.c3d)"): ".c3d",
             self.tr("TRC (*.trc)"): ".trc",
@@ -105,13 +103,20 @@ class FileActions(QObject):
             self.tr("CSV, one line per sample (*.long.csv)"): LONG_CSV,
             self.tr("NumPy (*.npz)"): ".npz",
         }
-        path = self.ask_where(
-            self.tr("Export repaired recording"),
-            f"{source.path.stem}_repaired{suffix if own == suffix.lower() else own}",
-            kinds,
-        )
+        path = self.ask_where(self.tr("Export repaired recording"), self.export_name(), kinds)
         if path is not None:
             self.export(path, then)
+
+    def export_name(self) -> str:
+        """Return how a repaired copy of the open recording is called if the user does not care."""
+        assert self._window.workspace is not None
+        return repaired_name(self._window.workspace.document.source.path.name)
+
+    def folder(self) -> Path:
+        """Return where files go: beside the open recording, unless that ships with us."""
+        assert self._window.workspace is not None
+        path = self._window.workspace.document.source.path
+        return Path.home() if is_sample(path) else path.parent
 
     def export(self, path: Path, then: Callable[[], None] | None = None) -> None:
         """Write the repaired recording, after asking about what cannot be taken back."""
@@ -180,23 +185,15 @@ class FileActions(QObject):
 
     def ask_where(self, title: str, name: str, kinds: Mapping[str, str]) -> Path | None:
         """Ask for the name of a new file, beside the recording unless that ships with us."""
-        assert self._window.workspace is not None
-        folder = self._window.workspace.document.source.path.parent
-        if is_sample(self._window.workspace.document.source.path):
-            folder = Path.home()
-        first = next((k for k, end in kinds.items() if name.lower().endswith(end)), "")
         text, kind = QFileDialog.getSaveFileName(
-            self._window, title, str(folder / name), ";;".join(kinds), first
+            self._window, title, str(self.folder() / name), ";;".join(kinds), kind_of(name, kinds)
         )
         if not text:
             return None
-        path = Path(text)
-        # A kind that was chosen, but is not in the name, is what the user wants.
-        end = kinds.get(kind, Path(name).suffix)
-        meant = kind != first and path.name == name
-        if path.suffix and not meant:
+        path = meant(Path(text), name, kinds, kind)
+        if path == Path(text):
+            # The dialog has asked.
             return path
-        path = path.with_suffix(end)
         replaces = self.tr("Replace {0}?").format(path.name)
         if path.exists() and not self._confirm(replaces, self.tr("There is a file of this name.")):
             return None
@@ -265,13 +262,14 @@ class FileActions(QObject):
         workspace = self._window.workspace
         # Edits made while the file was written are not in it.
         if workspace is not None and workspace.document is document:
-            if document.undo_stack.index() == index:
-                workspace.saved_as(exported)
+            workspace.saved_as(exported, complete=document.undo_stack.index() == index)
             if then is None and same_file(path, document.source.path):
                 self.open(path)
-        text = self.tr("Exported {0} to {1}: {2} samples repaired, read back and compared.")
+        text = self.tr("Exported {0} to {1}: {2} repaired samples, read back and compared.")
         if exported.check is not None:
-            text = self.tr("Exported {0} to {1}: {2} samples repaired, all else is the same.")
+            text = self.tr("Exported {0} to {1}: {2} samples changed, all else is the same.")
+        if exported.check is not None and exported.check.identical:
+            text = self.tr("Exported {0} to {1}: the same as the original, byte for byte.")
         self._window.say(text.format(path.name, path.parent, exported.saved.samples))
         if then is not None:
             # Asks again if there were edits in the meantime.

@@ -58,6 +58,10 @@ class Frame:
         return np.asarray(self.rect.bottom() - (np.asarray(value) - self.low) * scale)
 
 
+LEAST_SPAN = 1e-5
+"""Of values about 1, in the recording's unit; greater values have more."""
+
+
 def value_range(lines: Sequence[NDArray[np.float64]]) -> tuple[float, float]:
     """Return the span of the lines with a margin, never empty."""
     values = np.concatenate([line[:, 1] for line in lines]) if lines else np.empty(0)
@@ -65,7 +69,9 @@ def value_range(lines: Sequence[NDArray[np.float64]]) -> tuple[float, float]:
     if not values.size:
         return 0.0, 1.0
     low, high = float(values.min()), float(values.max())
-    margin = 0.08 * (high - low) or max(1e-3 * abs(high), 1e-6)
+    # What varies less than this is constant: numbers at its axis would be of too many digits.
+    constant = high - low <= LEAST_SPAN * max(1.0, abs(low), abs(high))
+    margin = max(1e-3 * abs(high), 1e-2) if constant else 0.08 * (high - low)
     return low - margin, high + margin
 
 

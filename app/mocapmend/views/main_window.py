@@ -306,6 +306,7 @@ class MainWindow(QMainWindow):
         has = {
             "nothing": True,
             "document": workspace is not None,
+            "c3d": workspace is not None and workspace.document.source.kind == "C3D",
             "markers": workspace is not None and workspace.document.repairable,
         }
         for spec in ACTIONS:

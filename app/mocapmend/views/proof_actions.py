@@ -8,9 +8,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, recipe
 from mocapmend.document import Document, Edit
-from mocapmend.errors import MocapmendError
-from mocapmend.files import C3DFile, CheckReport
-from mocapmend.settings import LAST_FOLDER
+from mocapmend.files import CheckReport, patches
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -37,7 +35,7 @@ class ProofActions(QObject):
         document = self._document()
         if document is None:
             return
-        name = f"{document.source.path.stem}_recipe.json"
+        name = _recipe_name(document)
         path = self._window.files.ask_where(
             self.tr("Save recipe"), name, {self.tr("Recipes (*.json)"): ".json"}
         )
@@ -55,9 +53,14 @@ class ProofActions(QObject):
 
     def ask_and_replay(self) -> None:
         """Let the user choose a recipe and make its edits."""
-        if self._document() is None:
+        document = self._document()
+        if document is None:
             return
-        path = self._ask(self.tr("Replay recipe"), self.tr("Recipes (*.json);;All files (*)"))
+        path = self._ask(
+            self.tr("Replay recipe"),
+            self._window.files.folder() / _recipe_name(document),
+            self.tr("Recipes (*.json);;All files (*)"),
+        )
         if path is not None:
             self.replay(path)
 
@@ -65,34 +68,36 @@ class ProofActions(QObject):
         """Make the edits of a recipe, in one undoable step."""
         workspace = self._window.workspace
         assert workspace is not None
-        document = workspace.document
-        try:
-            planned = recipe.plan(document.source, recipe.read_recipe(path))
-        except MocapmendError as error:
-            self._window.show_error(error)
-            return
-        job = self._window.jobs.compute(
-            self.tr("Replaying {0}").format(path.name),
-            recipe.fill,
-            document.share_original(),
-            planned.jobs,
-        )
-        revision = document.revision
-        job.finished.connect(
-            lambda results: self._accept(workspace, revision, path, planned, results)
-        )
+        title = self.tr("Replaying {0}").format(path.name)
+        source, revision = workspace.document.source, workspace.document.revision
+
+        def compute(prepared: tuple[recipe.Plan, bool]) -> None:
+            if self._window.workspace is not workspace:
+                return
+            original, jobs = workspace.document.share_original(), prepared[0].jobs
+            job = self._window.jobs.compute(title, recipe.fill, original, jobs)
+            job.finished.connect(
+                lambda results: self._accept(workspace, revision, path, prepared, results)
+            )
+            job.failed.connect(self._window.show_error)
+
+        job = self._window.jobs.read_or_write(title, recipe.prepare, source, path)
+        job.finished.connect(compute)
         job.failed.connect(self._window.show_error)
 
     def ask_and_check(self) -> None:
         """Let the user choose a repaired copy, and compare it with the open recording's file."""
-        document = self._document()
-        if document is None:
+        workspace = self._window.workspace
+        if workspace is None:
             return
-        if not isinstance(document.source, C3DFile):
-            self._window.say(self.tr("Only copies of C3D files can be checked."))
-            return
+        likely, last = self._window.files.folder(), workspace.last_export
+        likely /= self._window.files.export_name()
+        if last is not None and patches(workspace.document.source, last):
+            likely = last
         path = self._ask(
-            self.tr("Check a repaired copy"), self.tr("C3D recordings (*.c3d *.C3D);;All files (*)")
+            self.tr("Check a repaired copy"),
+            likely,
+            self.tr("C3D recordings (*.c3d *.C3D);;All files (*)"),
         )
         if path is not None:
             self.check(path)
@@ -116,9 +121,10 @@ class ProofActions(QObject):
     def _document(self) -> Document | None:
         return None if self._window.workspace is None else self._window.workspace.document
 
-    def _ask(self, title: str, kinds: str) -> Path | None:
-        folder = self._window.settings.get(LAST_FOLDER)
-        text, _ = QFileDialog.getOpenFileName(self._window, title, folder, kinds)
+    def _ask(self, title: str, likely: Path, kinds: str) -> Path | None:
+        """Ask for a file; begin at the one that it should be, or in its folder."""
+        start = likely if likely.exists() else likely.parent
+        text, _ = QFileDialog.getOpenFileName(self._window, title, str(start), kinds)
         return Path(text) if text else None
 
     def _accept(
@@ -126,10 +132,10 @@ class ProofActions(QObject):
         workspace: "Workspace",
         revision: int,
         path: Path,
-        planned: recipe.Plan,
+        prepared: tuple[recipe.Plan, bool],
         results: list[FillResult],
     ) -> None:
-        document = workspace.document
+        document, (planned, same_file) = workspace.document, prepared
         if self._window.workspace is not workspace or revision != document.revision:
             self._window.say(self.tr("The recording was edited meanwhile: replay again."))
             return
@@ -141,7 +147,14 @@ class ProofActions(QObject):
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
         workspace.push(edits, self.tr("replay {0}").format(path.name))
-        self._window.say(self.tr("{0} edits made again.").format(len(edits)))
+        text = self.tr("{0} edits made again.")
+        if not same_file:
+            text = self.tr("{0} edits made again, by a recipe that was made for another file.")
+        self._window.say(text.format(len(edits)))
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()
+
+
+def _recipe_name(document: Document) -> str:
+    return f"{document.source.path.stem}_recipe.json"

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.settings import LIMIT_ERROR, MAX_ERROR_MM, MAX_GAP_MS, METHOD, Settings
+from mocapmend.views.action_button import ActionButton
 from mocapmend.views.params_form import ParamsForm
 from mocapmend.viewstate import Preview, ViewState
 from mocapmend_algorithms import Gap
@@ -285,27 +286,3 @@ class RepairPanel(QScrollArea):
         if np.isfinite(mm):
             return self.tr(" Expected error <b>{0} mm</b> RMS").format(f"{mm:.1f}")
         return self.tr(" Expected error <b>unknown</b>: too little of the recording to test on")
-
-
-class ActionButton(QPushButton):
-    """A push button for an action: enabled with it, and with its shortcut in the tool tip."""
-
-    def __init__(self, action: QAction, text: str) -> None:
-        super().__init__(text)
-        self._action = action
-        self._possible = True
-        self.setToolTip(action.toolTip())
-        # A click must not take the keyboard from the rest of the window.
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.clicked.connect(action.trigger)
-        # A method and not a lambda: the action outlives the button.
-        action.changed.connect(self._follow)
-        self._follow()
-
-    def set_possible(self, *, possible: bool) -> None:
-        """Say whether the action makes sense just now."""
-        self._possible = possible
-        self._follow()
-
-    def _follow(self) -> None:
-        self.setEnabled(self._possible and self._action.isEnabled())

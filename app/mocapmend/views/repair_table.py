@@ -10,15 +10,26 @@ from PySide6.QtCore import (
     QSortFilterProxyModel,
     Qt,
 )
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QLabel, QStackedLayout, QTableView, QWidget
 
 from mocapmend.document import Document, Repair
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
-from mocapmend.views.tables import dress, narrow
+from mocapmend.views.tables import INDENT, Indented, dress, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.registry import method_label
+
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+NUMBERS = {1, 2, 4}
+"""Columns that are aligned at the right."""
+INDENTED = {3, 5}
+"""Columns of texts that follow one of numbers."""
+ARROWS = {Qt.Key.Key_Up, Qt.Key.Key_Down}
+WIDEST_MARKER = 320
+"""Pixels."""
 
 
 class RepairModel(QAbstractTableModel):
@@ -57,15 +68,19 @@ class RepairModel(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
-            return self._columns[section]
-        return None
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return RIGHT if section in NUMBERS else LEFT
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        return (INDENT if section in INDENTED else "") + self._columns[section]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         gap, repair = self._rows[index.row()]
         column = index.column()
-        if role == Qt.ItemDataRole.TextAlignmentRole and column in {1, 2, 4}:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return RIGHT if column in NUMBERS else LEFT
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._tip(gap, repair)
         if role == SORT_ROLE:
@@ -105,29 +120,45 @@ class RepairModel(QAbstractTableModel):
         self.endResetModel()
 
 
+class _Table(QTableView):
+    """A table in which, while nothing is marked, an arrow key marks the row where it is."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        place = self.currentIndex()
+        if event.key() in ARROWS and place.isValid() and not self.selectionModel().hasSelection():
+            self.selectRow(place.row())
+        else:
+            super().keyPressEvent(event)
+
+
 class RepairTable(QWidget):
     """The list of the repairs; the current one is the view state's gap."""
 
     def __init__(self, document: Document, view: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._view = view
+        self._following = False
+        self._row = -1
+        self._scrolled = 0
         self._model = RepairModel(document)
         self._model.setParent(self)
         self._proxy = QSortFilterProxyModel(self)
         self._proxy.setSourceModel(self._model)
         self._proxy.setSortRole(SORT_ROLE)
-        self.table = self._make_table()
+        self.table = self._make_table(max(document.names, key=len, default=""))
         self._empty = QLabel(self.tr("Nothing is repaired yet. Repairs are listed here."))
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._pages = QStackedLayout(self)
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self.table)
+        self.setFocusProxy(self.table)
+        self._model.modelAboutToBeReset.connect(self._keep_place)
         self._model.modelReset.connect(self._show_page)
         view.gap_changed.connect(self._follow)
         self._show_page()
 
-    def _make_table(self) -> QTableView:
-        table = QTableView()
+    def _make_table(self, longest: str) -> QTableView:
+        table = _Table()
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
@@ -137,33 +168,57 @@ class RepairTable(QWidget):
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         advance = table.fontMetrics().horizontalAdvance
         texts = {
+            0: longest,
             1: "000000 – 000000",
             2: "00000",
             3: self.tr("Kalman, constant velocity"),
             4: "0000.0 mm",
-            5: self.tr("before"),
         }
         headers = [str(self._model.headerData(i, Qt.Orientation.Horizontal)) for i in range(6)]
-        widths = {i: max(advance(text), advance(headers[i])) + 20 for i, text in texts.items()}
-        narrow(table, widths)
+        widths = {i: max(advance(text), advance(headers[i])) + 24 for i, text in texts.items()}
+        widths[0] = min(widths[0], WIDEST_MARKER)
+        narrow(table, widths, stretched=5)
+        for column in INDENTED:
+            table.setItemDelegateForColumn(column, Indented(table))
         table.clicked.connect(self._go_to)
-        table.activated.connect(self._go_to)
+        table.selectionModel().selectionChanged.connect(self._lead)
         return table
+
+    def _keep_place(self) -> None:
+        self._scrolled = self.table.verticalScrollBar().value()
 
     def _show_page(self) -> None:
         self._pages.setCurrentWidget(self.table if self._model.rowCount() else self._empty)
+        self.table.verticalScrollBar().setValue(self._scrolled)
         self._follow(self._view.gap)
 
     def _go_to(self, index: QModelIndex) -> None:
         self._view.go_to(self._model.gap(self._proxy.mapToSource(index).row()))
 
+    def _lead(self) -> None:
+        """Go to the repair that the user has marked: it is what Del reverts."""
+        chosen = self.table.selectionModel().selectedRows()
+        if chosen and not self._following:
+            self._go_to(chosen[0])
+
     def _follow(self, gap: Gap | None) -> None:
         """Mark the repair of the current gap."""
+        self._following = True
         row = None if gap is None else self._model.row_of(gap)
         if row is None:
-            self.table.clearSelection()
-            return
-        place = self._proxy.mapFromSource(self._model.index(row, 0))
-        flags = QItemSelectionModel.SelectionFlag
-        self.table.selectionModel().setCurrentIndex(place, flags.ClearAndSelect | flags.Rows)
-        self.table.scrollTo(place)
+            self._mark_none()
+        else:
+            place = self._proxy.mapFromSource(self._model.index(row, 0))
+            flags = QItemSelectionModel.SelectionFlag
+            self.table.selectionModel().setCurrentIndex(place, flags.ClearAndSelect | flags.Rows)
+            self.table.scrollTo(place)
+            self._row = place.row()
+        self._following = False
+
+    def _mark_none(self) -> None:
+        """Mark no row, but keep the place: a repair that was reverted gives its own to the next."""
+        place = self._proxy.index(min(self._row, self._proxy.rowCount() - 1), 0)
+        self.table.clearSelection()
+        self.table.selectionModel().setCurrentIndex(
+            place, QItemSelectionModel.SelectionFlag.NoUpdate
+        )

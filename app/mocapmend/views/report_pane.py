@@ -1,12 +1,17 @@
 """The report pane: tracking success and bone lengths, before and after the repairs."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 import pyqtgraph
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QShowEvent
+from PySide6.QtGui import QAction, QColor, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
     QSplitter,
     QTableWidget,
     QTableWidgetItem,
@@ -19,6 +24,7 @@ from mocapmend.jobs import Job, Jobs
 from mocapmend.report import Report, summarise
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
+from mocapmend.views.action_button import ActionButton
 from mocapmend.views.tables import dress, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.metrics import bone_lengths
@@ -38,6 +44,7 @@ class ReportPane(QWidget):
         view: ViewState,
         jobs: Jobs,
         theme: Theme,
+        actions: Mapping[str, QAction],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -58,7 +65,12 @@ class ReportPane(QWidget):
         charts.setSizes([440, 440, 280])
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
-        layout.addWidget(charts)
+        layout.setSpacing(4)
+        layout.addWidget(charts, 1)
+        layout.addLayout(
+            self._make_proof(ActionButton(actions["check_copy"], self.tr("Check a copy…")))
+        )
+        self.setFocusProxy(self._table)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY_MS)
@@ -80,6 +92,11 @@ class ReportPane(QWidget):
             line.setPen(pyqtgraph.mkPen(theme.playhead, width=1))
         self._draw_success()
         self._draw_bone()
+
+    def show_proof(self, text: str, sentences: Sequence[str] = ()) -> None:
+        """Say what is proved about the last export."""
+        self._proof.setText(text)
+        self._proof.setToolTip("\n".join(sentences))
 
     # --- computing ---------------------------------------------------------------------------
 
@@ -128,6 +145,17 @@ class ReportPane(QWidget):
         narrow(table, {1: width, 2: width})
         table.itemSelectionChanged.connect(self._draw_bone)
         return table
+
+    def _make_proof(self, check: ActionButton) -> QHBoxLayout:
+        self._proof = QLabel()
+        self._proof.setTextFormat(Qt.TextFormat.PlainText)
+        self._proof.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        # A long sentence must not stretch the window.
+        self._proof.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row = QHBoxLayout()
+        row.addWidget(self._proof, 1)
+        row.addWidget(check)
+        return row
 
     def _fill_table(self) -> None:
         assert self.report is not None

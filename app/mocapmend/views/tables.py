@@ -1,7 +1,9 @@
 """The look that all tables share."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
+from typing import Any
+
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyledItemDelegate, QTableView
 
 
 def dress(table: QTableView) -> None:
@@ -18,11 +20,21 @@ def dress(table: QTableView) -> None:
     table.horizontalHeader().setHighlightSections(False)
 
 
-def narrow(table: QTableView, widths: dict[int, int]) -> None:
-    """Give some columns a width in pixels, and the first one the rest."""
+def narrow(table: QTableView, widths: dict[int, int], stretched: int = 0) -> None:
+    """Give some columns a width in pixels, and one of them the rest."""
     header = table.horizontalHeader()
     header.setMinimumSectionSize(30)
     header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-    header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+    header.setSectionResizeMode(stretched, QHeaderView.ResizeMode.Stretch)
     for column, width in widths.items():
         header.resizeSection(column, width)
+
+
+INDENT = "   "
+
+
+class Indented(QStyledItemDelegate):
+    """Keeps the texts of a column off the numbers of the one before it."""
+
+    def displayText(self, value: Any, locale: QLocale | QLocale.Language) -> str:
+        return INDENT + super().displayText(value, locale)

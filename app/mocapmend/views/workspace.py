@@ -1,5 +1,6 @@
 """Everything that shows one document: the views around it, and what the user does to it."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -74,10 +75,11 @@ class Workspace(QMainWindow):
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
-        self.report = ReportPane(document, self.view, jobs, theme)
+        self.report = ReportPane(document, self.view, jobs, theme, actions)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
-        self._proof: tuple[str, ...] = ()
+        self.last_export: Path | None = None
+        self._exported: engine.Exported | None = None
         self._panes: list[QDockWidget] = []
         self._first_layout = QByteArray()
         self._filling: Job | None = None
@@ -88,10 +90,12 @@ class Workspace(QMainWindow):
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
         document.undo_stack.cleanChanged.connect(self.recorder.export)
+        document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
         for part in (self.previewer, self.report):
             part.failed.connect(self.failed)
+        self._show_proof()
         self._show_first_gap()
 
     def set_theme(self, theme: Theme) -> None:
@@ -116,6 +120,15 @@ class Workspace(QMainWindow):
     def arranged(self) -> bool:
         """Whether the panes are where the user had them last."""
         return not self._first_layout.isEmpty()
+
+    def show_pane(self, content: QWidget) -> None:
+        """Bring a pane to the front and give it the keyboard."""
+        for pane in self._panes:
+            if pane.widget() is content:
+                pane.show()
+                pane.raise_()
+                # Later: what was behind another pane is enabled when it is seen.
+                QTimer.singleShot(0, content, content.setFocus)
 
     def restore_first_layout(self) -> None:
         """Put all panes back where they were when the program was new."""
@@ -252,20 +265,40 @@ class Workspace(QMainWindow):
         elif original.markers:
             self.view.select((0,))
 
-    def saved_as(self, exported: engine.Exported) -> None:
-        """Take note that a file now holds all edits."""
-        self._proof = exported.sentences
-        self.document.undo_stack.setClean()
+    def saved_as(self, exported: engine.Exported, *, complete: bool) -> None:
+        """Take note that a file now holds the edits: all of them, or those of a while ago."""
+        self.last_export = exported.saved.path
+        if complete:
+            self._exported = exported
+            self.document.undo_stack.setClean()
+        self._show_proof()
+
+    @property
+    def _proof(self) -> engine.Exported | None:
+        """The export that holds the recording as it is now, if there is one."""
+        return self._exported if self.document.undo_stack.isClean() else None
+
+    def _show_proof(self) -> None:
+        if self.last_export is None:
+            self.report.show_proof(self.tr("Not exported yet."))
+        elif self._proof is None:
+            edited = self.tr("Edited since {0} was exported.")
+            self.report.show_proof(edited.format(self.last_export.name))
+        else:
+            finding, name = self._proof.sentences[0], self._proof.saved.path.name
+            self.report.show_proof(f"✔ {name}: {finding}", self._proof.sentences)
 
     def report_inputs(self) -> tuple[Any, ...]:
         """Return what `engine.write_report` needs, as it is now."""
         document = self.document
         used = sorted({repair.method for repair in document.repairs.values()})
+        proof = self._proof
         about = About(
             file=document.source.path.name,
             methods=tuple(method_label(method) for method in used),
             warnings=document.source.warnings,
-            proof=self._proof if document.undo_stack.isClean() else (),
+            earlier=sum(map(document.is_earlier, document.repairs)),
+            proof=() if proof is None else proof.sentences,
         )
         still_open = set(document.gaps)
         unfilled = [entry for entry in self._left_open if entry.gap in still_open]
@@ -355,6 +388,8 @@ class Workspace(QMainWindow):
         dock = QDockWidget(title)
         dock.setObjectName(name)
         dock.setWidget(content)
+        # A pane behind another one would take the keyboard unseen.
+        dock.visibilityChanged.connect(content.setEnabled)
         self.addDockWidget(area, dock)
         self._panes.append(dock)
         return dock
