@@ -13,11 +13,14 @@ import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mocapmend.bench.memory import peak_mb
+
+if TYPE_CHECKING:
+    from mocapmend.files import C3DFile, RepairRecord, SampleRun
 
 RECORDING = "large.c3d"
 VALUE = 123.456
@@ -120,14 +123,14 @@ def own_read(work: Work) -> Iterator[None]:
 
 
 def own_save(work: Work) -> Iterator[None]:
-    """Read, then save a repair, read back and compared."""
-    from mocapmend.files import SampleRun, read_c3d, save_patched
+    """Read, then save a repair with its record, read back and compared."""
+    from mocapmend.files import read_c3d, save_patched
 
     out = work.out("own")
     yield
     source = read_c3d(work.path)
     yield
-    save_patched(source, [SampleRun(work.marker, work.start, work.values())], out)
+    save_patched(source, [_run(work)], out, repairs=[_record(source, work)])
     yield
 
 
@@ -136,16 +139,34 @@ def own_export(work: Work) -> Iterator[None]:
     import c3d  # noqa: F401 - the proofs import it late
 
     from mocapmend import engine
-    from mocapmend.files import SampleRun, read_c3d
+    from mocapmend.files import read_c3d
     from mocapmend_algorithms import no_progress
 
     out = work.out("own")
     source = read_c3d(work.path)
-    run = SampleRun(work.marker, work.start, work.values())
-    changes = engine.Changes((run,), ())
+    changes = engine.Changes((_run(work),), (_record(source, work),))
     yield
     engine.export(source, changes, out, False, False, no_progress)  # noqa: FBT003
     yield
+
+
+def _run(work: Work) -> "SampleRun":
+    from mocapmend.files import SampleRun
+
+    return SampleRun(work.marker, work.start, work.values())
+
+
+def _record(source: "C3DFile", work: Work) -> "RepairRecord":
+    from mocapmend.files import RepairRecord
+
+    first = source.recording.first_frame
+    return RepairRecord(
+        marker=source.recording.labels[work.marker],
+        point=source.stored_points[work.marker] + 1,
+        first_frame=first + work.start,
+        last_frame=first + work.stop - 1,
+        method="constant",
+    )
 
 
 def c3d_read(work: Work) -> Iterator[None]:

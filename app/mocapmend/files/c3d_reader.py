@@ -87,14 +87,18 @@ class C3DFile(Source):
         offset = parameters.numbers("ANALOG:OFFSET", unsigned=unsigned)[:channels]
         scale = parameters.numbers("ANALOG:SCALE")[:channels]
         general = parameters.number("ANALOG:GEN_SCALE")
+
+        def convert(samples: NDArray[np.float64]) -> None:
+            samples[:, : len(offset)] -= offset
+            samples[:, : len(scale)] *= scale
+            samples *= 1.0 if general is None else general
+
         with open_file(self.path) as (stream, stamp):
             if stamp != self.stamp:
                 raise changed_on_disk(self.path)
-            values = read_analog_samples(stream, self.layout, str(self.path), unsigned=unsigned)
-        values[:, : len(offset)] -= offset
-        values[:, : len(scale)] *= scale
-        values *= 1.0 if general is None else general
-        return values
+            return read_analog_samples(
+                stream, self.layout, str(self.path), convert, unsigned=unsigned
+            )
 
 
 @np.errstate(all="ignore")

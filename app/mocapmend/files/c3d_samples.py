@@ -3,7 +3,7 @@
 Damaged floats may be anything: callers ignore the floating-point errors of numpy.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from io import FileIO
 from typing import Any
@@ -225,9 +225,24 @@ def residual_steps(fourth: Words) -> NDArray[np.float32]:
 
 
 def read_analog_samples(
-    stream: FileIO, layout: Layout, where: str, *, unsigned: bool
+    stream: FileIO,
+    layout: Layout,
+    where: str,
+    convert: Callable[[NDArray[np.float64]], None],
+    *,
+    unsigned: bool,
 ) -> NDArray[np.float64]:
-    """Read the analog samples as they are stored, shape (frames * samples, channels)."""
+    """Read the analog samples, shape (frames * samples, channels).
+
+    Parameters
+    ----------
+    stream, layout, where
+        See `read_blocks`.
+    convert : callable
+        Brings some samples from what is stored to their units, in place.
+    unsigned : bool
+        Whether integers have no sign.
+    """
     per_frame = layout.channels * layout.analog_samples
     values = np.empty((layout.frames, per_frame))
     for first, block in read_blocks(stream, layout, where):
@@ -237,5 +252,8 @@ def read_analog_samples(
             if layout.is_float
             else decode_integers(raw, layout.processor, unsigned=unsigned)
         )
-        values[first : first + len(block)] = stored
+        rows = values[first : first + len(block)]
+        rows[...] = stored
+        # While they are in the cache.
+        convert(rows.reshape(len(rows) * layout.analog_samples, layout.channels))
     return values.reshape(layout.frames * layout.analog_samples, layout.channels)
