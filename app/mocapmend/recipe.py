@@ -33,7 +33,7 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 
 KEY = "mocapmend_recipe"
-MOST_BYTES = 200_000_000
+MOST_BYTES = 50_000_000
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from mocapmend.files.opening import cannot_read
 from mocapmend.files.provenance import Provenance, decode_sidecar, encode_sidecar
 
 SUFFIX = ".mocapmend.json"
-MOST_BYTES = 200_000_000
+MOST_BYTES = 50_000_000
 NO_HASH = "0" * 64
 """Holds the place of a hash that is not known yet."""
 

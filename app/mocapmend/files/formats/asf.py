@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files.formats.asf_text import ROOT, Fields, Sections, read_sections
+from mocapmend.files.formats.joint_files import LONGEST_SKELETON, text_of
 from mocapmend.files.formats.kinematics import FARTHEST, Joint, Turn
-from mocapmend.files.formats.texts import LONGEST_SKELETON, text_of
 from mocapmend.files.opening import ANOTHER_FILE
 
 AXES = {"x": 0, "y": 1, "z": 2}

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from mocapmend.errors import MocapmendError
 from mocapmend.files.formats.assumed import body_unit, rate_of, up_axis
 from mocapmend.files.formats.bvh_hierarchy import read_hierarchy
-from mocapmend.files.formats.kinematics import bones_of, check_size, positions, rest_values
-from mocapmend.files.formats.texts import (
+from mocapmend.files.formats.joint_files import (
     LONGEST_SKELETON,
     about_samples,
     lines_of,
@@ -22,6 +21,7 @@ from mocapmend.files.formats.texts import (
     text_of,
     too_large,
 )
+from mocapmend.files.formats.kinematics import bones_of, check_size, positions, rest_values
 from mocapmend.files.opening import ANOTHER_FILE, Stamp
 from mocapmend.files.source import Source
 from mocapmend_algorithms.recording import Recording
