@@ -78,6 +78,12 @@ def main() -> None:
         before = workspace.report.report
         wait_until(lambda: workspace.report.report is not before)
         shoot(window, "report")
+        window.actions_by_id["theme"].setChecked(False)
+        dock = workspace.findChild(QDockWidget, "repairs")
+        assert dock is not None
+        dock.raise_()
+        workspace.view.go_to(min(workspace.document.repairs))
+        shoot(window, "repairs")
         workspace.document.undo_stack.setClean()
         window.close()
 
