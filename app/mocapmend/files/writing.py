@@ -25,7 +25,7 @@ from mocapmend.files.source import Source
 from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
-GROUP = 100
+GROUP = 6
 """A group number that no other group of a new file has."""
 
 
