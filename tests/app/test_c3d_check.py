@@ -96,7 +96,7 @@ def test_a_measured_sample_may_not_change(source: C3DFile) -> None:
     assert report.changed == (ChangedRun("C", 3, 18, 18),)
     assert not report.passed
     first = report.other_differences[0]
-    assert first == "Marker C: 1 samples differ although they were measured, the first at frame 18."
+    assert first == "Marker C: 1 sample differs although measured, the first at frame 18."
 
 
 @pytest.mark.parametrize("values", [1e3, np.nan], ids=["moved", "erased"])
@@ -107,7 +107,7 @@ def test_a_measured_sample_may_not_be_replaced_by_a_computed_one(
     save_patched(source, [SampleRun(2, 5, np.full((4, 3), values))], out)
     report = check_files(source.path, out)
     assert not report.passed
-    assert "4 samples differ although they were measured" in report.other_differences[0]
+    assert "4 samples differ although measured" in report.other_differences[0]
 
 
 def test_a_filled_sample_must_be_there_and_marked_as_computed(source: C3DFile) -> None:
@@ -118,7 +118,7 @@ def test_a_filled_sample_must_be_there_and_marked_as_computed(source: C3DFile) -
     report = check_files(source.path, altered(source, fourth, bytes([byte ^ 1])))
     assert not report.passed
     assert report.changed == (ChangedRun("A", 0, 21, 21),)
-    assert any("not marked as computed" in text for text in report.other_differences)
+    assert any("without the mark of a computed sample" in text for text in report.other_differences)
     assert any("still missing" in text for text in report.other_differences)
 
 
@@ -140,11 +140,11 @@ def test_a_model_output_and_an_analog_value(source: C3DFile) -> None:
     report = check_files(source.path, altered(source, slot(source, 7, 2)))
     assert report.changed == ()
     assert report.other_differences == (
-        "Model output Angle: 1 samples differ, the first at frame 18.",
+        "Model output Angle: 1 sample differs, the first at frame 18.",
     )
     at = slot(source, 7, 5) + 4 * source.layout.word
     report = check_files(source.path, altered(source, at))
-    assert report.other_differences == ("Analog channel Fy: 1 values differ.",)
+    assert report.other_differences == ("Analog channel Fy: 1 value differs.",)
 
 
 def test_header_parameters_and_the_end(source: C3DFile) -> None:
@@ -159,7 +159,7 @@ def test_header_parameters_and_the_end(source: C3DFile) -> None:
     }
     for at, name in places.items():
         report = check_files(source.path, altered(source, at))
-        assert report.other_differences == (f"1 bytes differ in {name}.",)
+        assert report.other_differences == (f"1 byte differs in {name}.",)
         assert not report.passed
 
 

@@ -403,8 +403,7 @@ def test_a_sample_that_the_record_does_not_list_is_a_difference(tmp_path: Path) 
     out.write_bytes(raw)
     report = check_files(source.path, out)
     expected = (
-        "Marker A: 1 samples differ, but the repair record does not list them, "
-        "the first at frame 121."
+        "Marker A: 1 sample differs without an entry in the repair record, the first at frame 121."
     )
     assert report.other_differences == (expected,)
 

@@ -216,28 +216,30 @@ def _sentences(
 ) -> Iterator[str]:
     """Say what differs besides marker samples that are marked as they should be."""
     for place, count in found.places.items():
-        yield f"{count} bytes differ in {place}."
+        yield f"{_differ(count, 'byte')} in {place}."
     for point in np.flatnonzero(found.changed.any(axis=0)).tolist():
         if point in models:
             count, first = _extent(found.changed[:, point], layout)
-            yield (
-                f"Model output {labels[point]}: {count} samples differ, the first at frame {first}."
-            )
+            differ = _differ(count, "sample")
+            yield f"Model output {labels[point]}: {differ}, the first at frame {first}."
             continue
         for wrong, what in (
-            (found.measured, "differ although they were measured"),
-            (found.empty, "differ, but are still missing"),
-            (found.unmarked, "differ, but are not marked as computed (fourth word 0)"),
-            (unlisted, "differ, but the repair record does not list them"),
+            (found.measured, " although measured"),
+            (found.empty, ", and still missing"),
+            (found.unmarked, " without the mark of a computed sample (fourth word 0)"),
+            (unlisted, " without an entry in the repair record"),
         ):
             if wrong[:, point].any():
                 count, first = _extent(wrong[:, point], layout)
-                yield (
-                    f"Marker {labels[point]}: {count} samples {what}, the first at frame {first}."
-                )
+                differ = _differ(count, "sample")
+                yield f"Marker {labels[point]}: {differ}{what}, the first at frame {first}."
     names = analog_labels(layout)
     for channel in np.flatnonzero(found.analog).tolist():
-        yield f"Analog channel {names[channel]}: {found.analog[channel]} values differ."
+        yield f"Analog channel {names[channel]}: {_differ(found.analog[channel], 'value')}."
+
+
+def _differ(count: int, thing: str) -> str:
+    return f"1 {thing} differs" if count == 1 else f"{count} {thing}s differ"
 
 
 def _extent(changed: NDArray[np.bool_], layout: Layout) -> tuple[int, int]:
