@@ -8,7 +8,7 @@ import json
 from collections.abc import Container, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from mocapmend.engine import Changes, record
 from mocapmend.errors import MocapmendError
 from mocapmend.files import RepairRecord, SampleRun, Source
-from mocapmend.files.atomic import write_atomically
+from mocapmend.files.atomic import write_bytes
 from mocapmend.files.opening import open_file
 from mocapmend.files.provenance import (
     PROGRAM,
@@ -96,7 +96,7 @@ def write_recipe(
     edits = [{"do": "fill", **item.as_json()} for item in recipe.fills]
     edits += [{"do": "reopen", **item.as_json()} for item in recipe.reopened]
     data = encode_document(head, "edits", edits)
-    write_atomically(path, lambda stream: _write(stream, data), lambda written: None)
+    write_bytes(path, data)
     progress(1.0)
 
 
@@ -315,7 +315,3 @@ def _no_recipe(path: Path, why: str) -> MocapmendError:
     return MocapmendError(
         f"This is not a recipe: {why}.", str(path), "Choose a file that was saved as a recipe."
     )
-
-
-def _write(stream: BinaryIO, data: bytes) -> None:
-    stream.write(data)

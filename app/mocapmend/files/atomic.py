@@ -41,6 +41,26 @@ def write_atomically(
         stage.place()
 
 
+def write_bytes(target: Path, data: bytes) -> None:
+    """Write a file whose content is at hand; see `write_atomically`.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written.
+    """
+    write_atomically(target, writer_of(data), lambda written: None)
+
+
+def writer_of(data: bytes) -> Callable[[BinaryIO], None]:
+    """Return what writes given bytes into an open file."""
+
+    def write(stream: BinaryIO) -> None:
+        stream.write(data)
+
+    return write
+
+
 @dataclass(frozen=True)
 class Stage:
     """A file that is written but does not have its name yet.

@@ -5,9 +5,8 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import BinaryIO
 
-from mocapmend.files.atomic import staged
+from mocapmend.files.atomic import staged, writer_of
 from mocapmend.files.opening import cannot_read
 from mocapmend.files.provenance import Provenance, decode_sidecar, encode_sidecar
 
@@ -63,7 +62,7 @@ def staged_record(path: Path, provenance: Provenance) -> Iterator[Callable[[Prov
         If the record cannot be written.
     """
     data = encode_sidecar(provenance, NO_HASH)
-    with staged(sidecar_path(path), lambda stream: _write(stream, data)) as stage:
+    with staged(sidecar_path(path), writer_of(data)) as stage:
 
         def finish(final: Provenance) -> None:
             stage.overwrite(encode_sidecar(final, hash_file(path)))
@@ -115,7 +114,3 @@ def _read(place: Path) -> bytes:
     if place.stat().st_size > MOST_BYTES:
         raise ValueError("it is too large")
     return place.read_bytes()
-
-
-def _write(stream: BinaryIO, data: bytes) -> None:
-    stream.write(data)

@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from importlib.resources import files
 from math import isnan
 from pathlib import Path
-from typing import BinaryIO
 
 from mocapmend import __version__
-from mocapmend.files.atomic import write_atomically
+from mocapmend.files.atomic import write_bytes
 from mocapmend.report import charts
 from mocapmend.report.model import Report
 
@@ -57,7 +56,7 @@ def write_html(report: Report, about: About, path: Path) -> None:
         If it cannot be written.
     """
     data = render(report, about).encode("utf-8")
-    write_atomically(path, lambda stream: _write(stream, data), lambda written: None)
+    write_bytes(path, data)
 
 
 def render(report: Report, about: About) -> str:
@@ -115,7 +114,3 @@ def _percent(value: float) -> str:
     if 0 < value < 0.01:
         return "<0.01"
     return ">99.99" if 99.99 < value < 100 else f"{value:.2f}"
-
-
-def _write(stream: BinaryIO, data: bytes) -> None:
-    stream.write(data)
