@@ -33,7 +33,7 @@ from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.repairs import with_repairs
-from mocapmend.files.source import Source
+from mocapmend.files.source import Source, truncation
 from mocapmend.files.space import length_unit
 from mocapmend_algorithms.recording import Recording
 
@@ -169,10 +169,7 @@ def _repair_record(layout: Layout, warnings: list[str]) -> Provenance | None:
 
 def _about_size(layout: Layout) -> Iterator[str]:
     if layout.truncated:
-        yield (
-            f"The file is truncated: it says that it holds {layout.frames_promised} frames, "
-            f"but only {layout.frames} are there."
-        )
+        yield truncation(layout.frames_promised, layout.frames)
     left = layout.size - layout.data_stop
     # Up to two blocks may be padding.
     if left > 2 * BLOCK and layout.data_start > layout.parameters_start:

@@ -34,6 +34,14 @@ class Event:
     time: float
 
 
+def truncation(promised: float, frames: int) -> str:
+    """Return the warning for a file that holds fewer frames than it says."""
+    return (
+        f"The file is truncated: it says that it holds {promised:.0f} frames, but only {frames} "
+        "are there."
+    )
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Source:
     """A recording as it was read from a file.

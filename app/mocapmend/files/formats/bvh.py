@@ -23,7 +23,7 @@ from mocapmend.files.formats.joint_files import (
 )
 from mocapmend.files.formats.kinematics import bones_of, check_size, positions, rest_values
 from mocapmend.files.opening import ANOTHER_FILE, Stamp
-from mocapmend.files.source import Source
+from mocapmend.files.source import Source, truncation
 from mocapmend_algorithms.recording import Recording
 
 START = re.compile(rb"(?:\xef\xbb\xbf)?\s*HIERARCHY\b", re.IGNORECASE)
@@ -124,10 +124,7 @@ def _read_motion(raw: bytes, start: int, channels: int, where: str) -> _Motion:
 
 def _about_frames(frames: int, promised: int) -> Iterator[str]:
     if frames < promised:
-        yield (
-            f"The file is truncated: it says that it holds {promised} frames, but only "
-            f"{frames} are there."
-        )
+        yield (truncation(promised, frames))
     elif frames > promised:
         yield (
             f"The file says that it holds {promised} frames, but {frames} are there; all are read."

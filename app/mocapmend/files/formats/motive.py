@@ -6,7 +6,7 @@ from mocapmend.files.formats.cells import number, split
 from mocapmend.files.formats.columns import Columns, check_count, clean_label
 from mocapmend.files.formats.frames import MissingRule, read_frames
 from mocapmend.files.formats.text import Lines
-from mocapmend.files.source import Source
+from mocapmend.files.source import Source, truncation
 
 HEAD_LINES = 20
 """Lines in which the header must end."""
@@ -56,10 +56,7 @@ def parse_motive(lines: Lines) -> Source:
     recording = assemble(lines.path, frames, stated, warnings)
     promised = number(values.get("total exported frames", ""))
     if promised > recording.frames:
-        warnings.append(
-            f"The file is truncated: it says that it holds {promised:g} frames, but only "
-            f"{recording.frames} are there."
-        )
+        warnings.append(truncation(promised, recording.frames))
     return Source(
         path=lines.path,
         kind="Motive CSV",

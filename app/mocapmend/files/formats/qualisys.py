@@ -8,7 +8,7 @@ from mocapmend.files.formats.cells import number, split
 from mocapmend.files.formats.columns import Columns, check_count, clean_label, named_columns
 from mocapmend.files.formats.frames import MissingRule, read_frames
 from mocapmend.files.formats.text import Lines
-from mocapmend.files.source import Event, Source
+from mocapmend.files.source import Event, Source, truncation
 
 MOST_HEADER_LINES = 10_000
 """Each event has a line."""
@@ -57,10 +57,7 @@ def parse_qualisys(lines: Lines) -> Source:
     recording = assemble(lines.path, frames, stated, warnings)
     promised = header.number("NO_OF_FRAMES")
     if promised > recording.frames:
-        warnings.append(
-            f"The file is truncated: it says that it holds {promised:g} frames, but only "
-            f"{recording.frames} are there."
-        )
+        warnings.append(truncation(promised, recording.frames))
     return Source(
         path=lines.path,
         kind="Qualisys TSV",

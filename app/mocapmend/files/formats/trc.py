@@ -10,7 +10,7 @@ from mocapmend.files.formats.cells import number, split
 from mocapmend.files.formats.columns import AXIS_AT_END, Columns, check_count, clean_label
 from mocapmend.files.formats.frames import MissingRule, read_frames
 from mocapmend.files.formats.text import Lines, open_text
-from mocapmend.files.source import Source
+from mocapmend.files.source import Source, truncation
 
 HEAD_LINES = 20
 """Lines in which the header must end."""
@@ -161,8 +161,7 @@ def _promised_frames(header: _Header, frames: int, warnings: list[str]) -> int:
     if not 0 <= stated < 2**31 or stated == frames:
         return frames
     warnings.append(
-        f"The file is truncated: it says that it holds {stated:g} frames, but only {frames} are "
-        "there."
+        truncation(stated, frames)
         if stated > frames
         else f"There are {stated:g} frames by the header, but {frames} in the file."
     )
