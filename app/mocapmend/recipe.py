@@ -279,12 +279,10 @@ def _decode(raw: bytes) -> Recipe:
 def _gap_of(source: Source, item: RepairRecord, gaps: Container[Gap]) -> Gap:
     """Find the gap that an edit is about."""
     recording = source.recording
-    start, stop = (frame - recording.first_frame for frame in (item.first_frame, item.last_frame))
-    points = {point + 1: marker for marker, point in enumerate(source.stored_points)}
-    marker = points.get(item.point)
+    marker = source.markers_by_point.get(item.point)
     if marker is None or recording.labels[marker] != item.marker:
         raise _does_not_fit(source, f"its point {item.point} is not the marker {item.marker}")
-    gap = Gap(marker, start, stop + 1)
+    gap = Gap(marker, *item.rows(recording.first_frame))
     if gap not in gaps:
         frames = f"frames {item.first_frame} to {item.last_frame}"
         raise _does_not_fit(source, f"{frames} of {item.marker} are not one of its gaps")

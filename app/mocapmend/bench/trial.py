@@ -19,7 +19,7 @@ import scipy.interpolate  # noqa: F401
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile, Source
-from mocapmend_algorithms import find_gaps, no_progress
+from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.limits import Limits
 
@@ -137,10 +137,9 @@ def use_file(path: Path, meter: Meter) -> None:
 
 def fill_gaps(source: Source) -> engine.Changes:
     """Fill gaps of a recording within the default limits."""
-    recording = source.recording
-    gaps = find_gaps(recording.present)[:MOST_GAPS]
+    gaps = source.open_gaps()[:MOST_GAPS]
     params = METHOD.params()
-    filled = engine.fill(recording, gaps, METHOD.id, params, Limits(), no_progress)
+    filled = engine.fill(source.measured, gaps, METHOD.id, params, Limits(), no_progress)
     return engine.changes_of(source, filled, METHOD.id, params)
 
 

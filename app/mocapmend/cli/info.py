@@ -54,7 +54,7 @@ def _show_repairs(source: Source, console: Console) -> None:
             (
                 record.marker,
                 common.span(record.first_frame, record.last_frame),
-                str(record.last_frame - record.first_frame + 1),
+                str(record.frames),
                 record.method,
                 "" if math.isnan(error := record.expected_error_mm) else f"{error:.1f}",
             )

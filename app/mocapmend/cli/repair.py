@@ -19,7 +19,6 @@ from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, check_ending, read_recording
-from mocapmend_algorithms import find_gaps
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
@@ -172,8 +171,7 @@ def _fill(
 ) -> FillResult:
     """Fill the gaps of the markers that were asked for; account for those of the others too."""
     recording = source.measured
-    earlier = set(source.repaired)
-    gaps = [gap for gap in find_gaps(recording.present) if gap not in earlier]
+    gaps = source.open_gaps()
     wanted = markers.choose(source, labels)
     console.start("Filling")
     result = engine.fill(

@@ -17,6 +17,7 @@ from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.findings import Findings
 from mocapmend.files.opening import open_file
 from mocapmend.files.provenance import Provenance
+from mocapmend.files.repairs import listed_samples
 from mocapmend_algorithms.gaps import runs
 
 
@@ -182,13 +183,8 @@ def _record(path: Path, side: Side) -> Provenance | None:
 
 def _listed(record: Provenance | None, layout: Layout) -> NDArray[np.bool_]:
     """Mark the samples that a record lists, shape (frames, points)."""
-    mask = np.zeros((layout.frames, layout.points), np.bool_)
-    for repair in () if record is None else record.repairs:
-        start = max(repair.first_frame - layout.first_frame, 0)
-        stop = max(repair.last_frame - layout.first_frame + 1, 0)
-        if 0 < repair.point <= layout.points:
-            mask[start:stop, repair.point - 1] = True
-    return mask
+    repairs = () if record is None else record.repairs
+    return listed_samples(repairs, (layout.frames, layout.points), layout.first_frame)
 
 
 def _allowed(alignment: Alignment) -> Iterator[str]:

@@ -67,6 +67,15 @@ class RepairRecord:
     expected_error_mm: float = math.nan
     r90_mm: float = math.nan
 
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return self.last_frame - self.first_frame + 1
+
+    def rows(self, first_frame: int) -> tuple[int, int]:
+        """Return start and stop of its frames in a recording that begins with a frame."""
+        return self.first_frame - first_frame, self.last_frame - first_frame + 1
+
     def as_json(self) -> dict[str, Any]:
         """Return the record for a JSON document; None stands for what is not known."""
         return asdict(self) | {

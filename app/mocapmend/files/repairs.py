@@ -1,8 +1,11 @@
 """The repairs that a file has had, made sure against its samples."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from mocapmend.files import sidecar
 from mocapmend.files.provenance import Provenance, RepairRecord
@@ -44,15 +47,39 @@ def with_repairs(source: AnySource, stated: Provenance | None = None) -> AnySour
     )
 
 
+def listed_samples(
+    repairs: Iterable[RepairRecord], shape: tuple[int, int], first_frame: int
+) -> NDArray[np.bool_]:
+    """Mark the samples that repairs are about.
+
+    Parameters
+    ----------
+    repairs : iterable of RepairRecord
+        What lies outside is left out.
+    shape : tuple of int
+        Frames and stored points.
+    first_frame : int
+        Number of the first frame as the file counts it.
+
+    Returns
+    -------
+    ndarray of bool, shape (frames, points)
+    """
+    mask = np.zeros(shape, np.bool_)
+    for repair in repairs:
+        start, stop = repair.rows(first_frame)
+        if 0 < repair.point <= shape[1]:
+            mask[max(start, 0) : max(stop, 0), repair.point - 1] = True
+    return mask
+
+
 def _confirmed(source: Source, provenance: Provenance) -> Mapping[Gap, RepairRecord]:
     """Return the repairs whose samples are all there, and fill a gap of the measured samples."""
     recording = source.recording
-    markers = {point + 1: marker for marker, point in enumerate(source.stored_points)}
     found: dict[Gap, RepairRecord] = {}
     for record in provenance.repairs:
-        start = record.first_frame - recording.first_frame
-        stop = record.last_frame - recording.first_frame + 1
-        marker = markers.get(record.point)
+        start, stop = record.rows(recording.first_frame)
+        marker = source.markers_by_point.get(record.point)
         if marker is None or not 0 <= start < stop <= recording.frames:
             continue
         if recording.present[start:stop, marker].all():

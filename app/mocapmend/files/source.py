@@ -1,5 +1,6 @@
 """A recording as it was read from a file of any format."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -8,7 +9,7 @@ import numpy as np
 
 from mocapmend.files.opening import Stamp
 from mocapmend.files.provenance import Provenance, RepairRecord
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, find_gaps
 from mocapmend_algorithms.recording import Recording
 
 
@@ -95,6 +96,11 @@ class Source:
         """The point of the file, from 0, that each marker is."""
         return tuple(range(self.recording.markers))
 
+    @cached_property
+    def markers_by_point(self) -> Mapping[int, int]:
+        """The marker of each stored point that is one, counted from 1 as repair records do."""
+        return {point + 1: marker for marker, point in enumerate(self.stored_points)}
+
     @property
     def repairs(self) -> tuple[RepairRecord, ...]:
         """The repairs that the file has had; `repaired` has their gaps."""
@@ -109,6 +115,11 @@ class Source:
         for gap in self.repaired:
             points[gap.start : gap.stop, gap.marker] = np.nan
         return self.recording.with_points(points)
+
+    def open_gaps(self) -> list[Gap]:
+        """Return the gaps of the measured samples that no earlier repair fills."""
+        repaired = set(self.repaired)
+        return [gap for gap in find_gaps(self.measured.present) if gap not in repaired]
 
     @property
     def truncated(self) -> bool:

@@ -20,6 +20,7 @@ from mocapmend.files.formats.export_trc import write_trc
 from mocapmend.files.formats.table import FORMATS
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.repairs import listed_samples
 from mocapmend.files.saving import Saved, check_place
 from mocapmend.files.source import Source
 from mocapmend_algorithms.progress import Progress, no_progress
@@ -129,10 +130,8 @@ def write_recording(
         group = encode_group(provenance, GROUP, Processor.INTEL)
         if len(group) > room_for_records(recording, source.events):
             group = b""
-    filled = np.zeros(recording.present.shape, np.bool_)
-    for repair in () if provenance is None else provenance.repairs:
-        start = repair.first_frame - recording.first_frame
-        filled[start : repair.last_frame - recording.first_frame + 1, repair.point - 1] = True
+    listed = () if provenance is None else provenance.repairs
+    filled = listed_samples(listed, (recording.frames, recording.markers), recording.first_frame)
     content = _Content(source, recording, filled, group, progress)
     if provenance is None or group:
         notes = writer(content, out)
@@ -166,7 +165,7 @@ def _provenance(source: Source, repairs: Sequence[RepairRecord]) -> Provenance |
     """Return the repair record of the new file, in which the points are the markers."""
     if not repairs:
         return None
-    markers = {point + 1: marker for marker, point in enumerate(source.stored_points)}
+    markers = source.markers_by_point
     moved = [replace(repair, point=markers[repair.point] + 1) for repair in repairs]
     # Whatever they were made in: the same repairs give the same bytes.
     moved.sort(key=lambda repair: (repair.point, repair.first_frame))
