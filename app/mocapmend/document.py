@@ -11,7 +11,7 @@ from PySide6.QtGui import QUndoStack
 
 from mocapmend import engine
 from mocapmend.engine import Changes
-from mocapmend.files import SampleRun, Source
+from mocapmend.files import RepairRecord, SampleRun, Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow
 from mocapmend.shared_recording import SharedRecording
@@ -215,13 +215,16 @@ class Document(QObject):
             for marker in touched
             for start, stop in find_runs(_differs(self._points[:, marker], stored[:, marker]))
         ]
-        records = [
+        return Changes(tuple(runs), self.records())
+
+    def records(self) -> tuple[RepairRecord, ...]:
+        """Return all repairs as the repair record has them."""
+        return tuple(
             engine.record(
                 self.source, repair.patch, repair.method, repair.params, donors=repair.donors
             )
             for _, repair in sorted(self.repairs.items())
-        ]
-        return Changes(tuple(runs), tuple(records))
+        )
 
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""

@@ -13,14 +13,13 @@ from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_numbers import encode_floats
 from mocapmend.files.c3d_parameters import FLOAT, INTEGER, read_record
+from mocapmend.files.c3d_section import LARGEST_WORD, MOST_BLOCKS
 
 DATA_BLOCK = 16
 """Where the header has the block of the data."""
 SCALE = 12
 """Where the header has the scale."""
 LABEL_RANGES_KEY = 12345
-MOST_BLOCKS = 255
-MOST_COUNT = 65535
 
 
 def can_change(layout: Layout) -> bool:
@@ -129,7 +128,7 @@ def _with_counts(head: bytes, layout: Layout, blocks: int, above: int) -> bytes 
         (count,) = struct.unpack_from(order + "H", head, at)
         if count - 1 <= above:
             continue
-        if count + blocks > MOST_COUNT:
+        if count + blocks > LARGEST_WORD:
             return None
         struct.pack_into(order + "H", changed, at, count + blocks)
     return bytes(changed)

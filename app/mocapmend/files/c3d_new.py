@@ -24,7 +24,13 @@ from mocapmend.files.c3d_samples import (
     read_blocks,
     unmarked_missing,
 )
-from mocapmend.files.c3d_section import LARGEST_WORD, MOST_BLOCKS, float_header, parameter_section
+from mocapmend.files.c3d_section import (
+    LARGEST_WORD,
+    MOST_BLOCKS,
+    float_header,
+    parameter_section,
+    section_bytes,
+)
 from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import open_file
 from mocapmend.files.source import Event
@@ -100,7 +106,7 @@ def write_new_c3d(
 def room_for_records(recording: Recording, events: Sequence[Event]) -> int:
     """Return how many bytes of further parameter records a new file has room for."""
     own = new_records(recording, NewParameters.of(recording, events), 0)
-    return MOST_BLOCKS * BLOCK - 6 - sum(map(len, own))
+    return MOST_BLOCKS * BLOCK - section_bytes(own)
 
 
 def _check_limits(recording: Recording, events: Sequence[Event], where: str) -> None:

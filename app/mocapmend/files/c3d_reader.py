@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.errors import MocapmendError
 from mocapmend.files.c3d_force_plates import ForcePlate, read_force_plates
 from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_header import BLOCK
@@ -30,7 +29,7 @@ from mocapmend.files.c3d_samples import (
     unmarked_missing,
 )
 from mocapmend.files.c3d_space import up_axis
-from mocapmend.files.opening import changed_on_disk, open_file
+from mocapmend.files.opening import changed_on_disk, open_file, too_large
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source, truncation
@@ -120,9 +119,7 @@ def read_c3d(path: Path) -> C3DFile:
         try:
             points, residuals = _read_points(stream, layout, markers, str(path), warnings)
         except MemoryError:
-            raise MocapmendError(
-                "The recording does not fit into memory.", str(path), "Close other programs."
-            ) from None
+            raise too_large(str(path)) from None
     force_plates = read_force_plates(layout, warnings)
     if not (markers and layout.frames):
         warnings.append("The file holds no marker data: there is nothing to repair.")

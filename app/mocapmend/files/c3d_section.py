@@ -99,6 +99,12 @@ def numbered(name: str, part: int) -> str:
     return name if part == 1 else f"{name}{part}"
 
 
+def section_bytes(records: Iterable[bytes]) -> int:
+    """Return the length of a section with these records, not filled up to a whole block."""
+    # The lead, and the empty record that ends the section.
+    return 4 + sum(map(len, records)) + 2
+
+
 def parameter_section(
     records: Callable[[int], Iterable[bytes]], processor: Processor, where: str
 ) -> bytes:
@@ -119,8 +125,7 @@ def parameter_section(
     MocapmendError
         If they do not fit: the section has 255 blocks at most.
     """
-    # The lead, and the empty record that ends the section.
-    size = 4 + sum(map(len, records(0))) + 2
+    size = section_bytes(records(0))
     blocks = -(-size // BLOCK)
     if blocks > MOST_BLOCKS:
         raise MocapmendError(

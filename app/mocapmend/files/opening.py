@@ -35,6 +35,11 @@ def changed_on_disk(path: Path) -> MocapmendError:
     )
 
 
+def too_large(where: str) -> MocapmendError:
+    """Return the error for a file that does not fit into memory."""
+    return MocapmendError("The recording does not fit into memory.", where, "Close other programs.")
+
+
 @contextmanager
 def open_file(path: Path) -> Iterator[tuple[FileIO, Stamp]]:
     """Open a file for reading.

@@ -20,10 +20,7 @@ NUMBERS = (1, 2, 3)
 def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckReport) -> QDialog:
     """Make the dialog: the finding, what may differ, what may not, and the changed samples."""
     rows = [
-        (
-            run.label,
-            *map(str, (run.first_frame, run.last_frame, 1 + run.last_frame - run.first_frame)),
-        )
+        (run.label, *map(str, (run.first_frame, run.last_frame, run.frames)))
         for run in found.changed
     ]
     headers = (

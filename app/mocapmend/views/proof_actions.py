@@ -45,7 +45,7 @@ class ProofActions(QObject):
             self.tr("Writing the recipe"),
             recipe.write_recipe,
             document.source,
-            document.changes().repairs,
+            document.records(),
             path,
         )
         written = self.tr("Recipe written to {0}").format(path)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from mocapmend.errors import MocapmendError
 from mocapmend.files.formats.asf import Skeleton, read_asf
 from mocapmend.files.formats.assumed import CM_PER_INCH, RATE, body_unit
-from mocapmend.files.formats.joint_files import about_samples, lines_of, read_bytes, too_large
+from mocapmend.files.formats.joint_files import about_samples, lines_of, read_bytes
 from mocapmend.files.formats.kinematics import bones_of, check_size, positions
-from mocapmend.files.opening import ANOTHER_FILE, Stamp, cannot_read
+from mocapmend.files.opening import ANOTHER_FILE, Stamp, cannot_read, too_large
 from mocapmend.files.source import Source
 from mocapmend_algorithms.recording import Recording
 

@@ -19,10 +19,9 @@ from mocapmend.files.formats.joint_files import (
     lines_of,
     read_bytes,
     text_of,
-    too_large,
 )
 from mocapmend.files.formats.kinematics import bones_of, check_size, positions, rest_values
-from mocapmend.files.opening import ANOTHER_FILE, Stamp
+from mocapmend.files.opening import ANOTHER_FILE, Stamp, too_large
 from mocapmend.files.source import Source, truncation
 from mocapmend_algorithms.recording import Recording
 
@@ -124,7 +123,7 @@ def _read_motion(raw: bytes, start: int, channels: int, where: str) -> _Motion:
 
 def _about_frames(frames: int, promised: int) -> Iterator[str]:
     if frames < promised:
-        yield (truncation(promised, frames))
+        yield truncation(promised, frames)
     elif frames > promised:
         yield (
             f"The file says that it holds {promised} frames, but {frames} are there; all are read."

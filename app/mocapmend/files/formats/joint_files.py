@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.errors import MocapmendError
 from mocapmend.files.opening import Stamp, cannot_read, open_file
 
 LONGEST_SKELETON = 4_000_000
@@ -28,11 +27,6 @@ def read_bytes(path: Path) -> tuple[bytes, Stamp]:
             return stream.read(), stamp
         except OSError as error:
             raise cannot_read(str(path), error) from error
-
-
-def too_large(where: str) -> MocapmendError:
-    """Return the error for a file that does not fit into memory."""
-    return MocapmendError("The recording does not fit into memory.", where, "Close other programs.")
 
 
 def text_of(raw: bytes) -> str:

@@ -12,7 +12,7 @@ from mocapmend.files.formats.assemble import Stated, assemble
 from mocapmend.files.formats.columns import MOST_MARKERS, clean_label
 from mocapmend.files.formats.frames import LARGEST_FRAME, Frames, MissingRule
 from mocapmend.files.formats.zip_arrays import ZipArrays
-from mocapmend.files.opening import Stamp, open_file
+from mocapmend.files.opening import Stamp, open_file, too_large
 from mocapmend.files.source import Source
 from mocapmend.files.space import AXES
 
@@ -37,9 +37,7 @@ def read_npz(path: Path) -> Source:
         try:
             return _source(ZipArrays(stream, path), path, stamp)
         except MemoryError:
-            raise MocapmendError(
-                "The recording does not fit into memory.", str(path), "Close other programs."
-            ) from None
+            raise too_large(str(path)) from None
 
 
 @np.errstate(all="ignore")

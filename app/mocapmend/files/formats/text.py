@@ -8,7 +8,7 @@ from io import FileIO, IncrementalNewlineDecoder
 from pathlib import Path
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files.opening import ANOTHER_FILE, Stamp, cannot_read, open_file
+from mocapmend.files.opening import ANOTHER_FILE, Stamp, cannot_read, open_file, too_large
 
 BLOCK = 1 << 20
 """Bytes that are read at a time."""
@@ -126,9 +126,7 @@ def open_text(path: Path) -> Iterator[Lines]:
         try:
             yield Lines(stream, path, stamp)
         except MemoryError:
-            raise MocapmendError(
-                "The recording does not fit into memory.", str(path), "Close other programs."
-            ) from None
+            raise too_large(str(path)) from None
 
 
 def _read(stream: FileIO, count: int, path: Path) -> bytes:
