@@ -18,7 +18,7 @@ from concurrent.futures import (
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend.errors import MocapmendError
 from mocapmend.shared_recording import start_tracker
@@ -27,7 +27,8 @@ from mocapmend_algorithms import Cancelled
 SLOTS = 32
 WORKERS = 2
 """One for what takes long, one for the preview that the user waits for."""
-POLL_MS = 30
+POLL_MS = 10
+"""How often the window's thread looks at its jobs: no other thread touches a Qt object."""
 
 _board: "Board | None" = None
 
@@ -75,7 +76,7 @@ class Job(QObject):
     """One piece of work.
 
     It ends with exactly one of finished, failed and cancelled, then ended; when it was abandoned
-    with ended alone.
+    with ended alone. Python owns it: what is connected to its signals must not hold it.
     """
 
     progressed = Signal(float)
@@ -83,35 +84,34 @@ class Job(QObject):
     failed = Signal(object)
     cancelled = Signal()
     ended = Signal()
-    _settled = Signal()
 
-    def __init__(self, title: str, board: Board, slot: int, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(
+        self,
+        title: str,
+        board: Board,
+        slot: int,
+        future: Future[Any],
+        held: tuple[Any, ...],
+    ) -> None:
+        super().__init__()
         self.title = title
         self.slot = slot
         self.quiet = False
         self._board = board
-        self._future: Future[Any] | None = None
-        self._held: tuple[Any, ...] = ()
-        self._abandoned = False
-        self._over = False
-        # Queued: a future settles on a thread of its pool, or before the caller could connect.
-        self._settled.connect(self._conclude, Qt.ConnectionType.QueuedConnection)
-
-    def follow(self, future: Future[Any], held: tuple[Any, ...]) -> None:
-        """Report the end of a future; keep its arguments alive until then."""
         self._future = future
         self._held = held
-        future.add_done_callback(lambda _: self._settled.emit())
+        """The arguments: kept alive until the end."""
+        self.progress = 0.0
+        self.over = False
+        self._abandoned = False
 
     def cancel(self) -> None:
         """Ask the job to stop; `cancelled` follows unless it was just finishing."""
-        if self._over:
+        if self.over:
             # Another job may have the slot by now.
             return
         self._board.cancel[self.slot] = 1
-        if self._future is not None:
-            self._future.cancel()
+        self._future.cancel()
 
     def abandon(self) -> None:
         """Cancel for one who has gone, or has asked for something else: no outcome is told."""
@@ -119,18 +119,22 @@ class Job(QObject):
         self.cancel()
 
     def poll(self) -> None:
-        """Pass the worker's progress on."""
-        self.progressed.emit(self._board.progress[self.slot])
+        """Pass the worker's progress on, or the end of its work."""
+        progress = self._board.progress[self.slot]
+        if progress != self.progress:
+            self.progress = progress
+            self.progressed.emit(progress)
+        if self._future.done():
+            self._conclude()
 
     def _conclude(self) -> None:
         self._held = ()
-        self._over = True
+        self.over = True
         if not self._abandoned:
             self._tell_outcome()
         self.ended.emit()
 
     def _tell_outcome(self) -> None:
-        assert self._future is not None
         asked_to_stop = bool(self._board.cancel[self.slot])
         try:
             result = self._future.result()
@@ -153,6 +157,7 @@ class Jobs(QObject):
     """Starts jobs and knows which are running."""
 
     started = Signal(object)
+    ended = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -236,22 +241,22 @@ class Jobs(QObject):
         *,
         quiet: bool = False,
     ) -> Job:
-        job = Job(title, self._board, slot, self)
+        job = Job(title, self._board, slot, future, held)
         job.quiet = quiet
-        job.ended.connect(lambda: self._retire(job))
         self._running[slot] = job
         self._timer.start()
-        job.follow(future, held)
         self.started.emit(job)
         return job
 
     def _retire(self, job: Job) -> None:
         del self._running[job.slot]
         self._free.append(job.slot)
-        job.deleteLater()
         if not self._running:
             self._timer.stop()
+        self.ended.emit(job)
 
     def _poll(self) -> None:
         for job in list(self._running.values()):
             job.poll()
+            if job.over:
+                self._retire(job)

@@ -176,6 +176,26 @@ def test_the_newest_running_job_is_shown(jobs: Jobs, qtbot: QtBot) -> None:
     assert not indicator.isVisible()
 
 
+DROPPED = """
+from PySide6.QtCore import QCoreApplication
+from mocapmend.jobs import Jobs
+
+app = QCoreApplication([])
+for _ in range(50):
+    jobs = Jobs()
+    job = jobs.read_or_write("nothing", lambda progress: None)
+    while jobs.running:
+        app.processEvents()
+    jobs.shut_down()
+print("whole")
+"""
+
+
+def test_a_runner_may_go_as_soon_as_its_jobs_have_ended() -> None:
+    done = subprocess.run([sys.executable, "-c", DROPPED], capture_output=True, text=True)
+    assert (done.stdout, done.stderr, done.returncode) == ("whole\n", "", 0)
+
+
 ORPHAN = """
 import os, signal, sys
 from PySide6.QtCore import QCoreApplication

@@ -211,7 +211,7 @@ class FileActions(QObject):
         """Write a file in the background; the window stays open until it is there."""
         job = self._window.jobs.read_or_write(title, function, *args)
         self._writing.append(job)
-        job.ended.connect(lambda: self._writing.remove(job))
+        job.ended.connect(self._end_writing)
         job.failed.connect(self._window.show_error)
         return job
 
@@ -221,6 +221,9 @@ class FileActions(QObject):
 
     def _end_loading(self) -> None:
         self._loading = None
+
+    def _end_writing(self) -> None:
+        self._writing = [job for job in self._writing if not job.over]
 
     def _show(self, source: Source, skeleton: Skeleton, journal: Path | None) -> None:
         try:

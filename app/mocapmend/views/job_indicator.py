@@ -34,19 +34,20 @@ class JobIndicator(QWidget):
         self._patience.setInterval(PATIENCE_MS)
         self._patience.timeout.connect(self.show)
         jobs.started.connect(self._follow)
+        jobs.ended.connect(self._leave)
         self.hide()
 
     def _follow(self, job: Job) -> None:
         if job.quiet:
             return
         self._jobs.append(job)
-        job.progressed.connect(lambda share: self._show_progress(job, share))
-        job.ended.connect(lambda: self._leave(job))
+        job.progressed.connect(self._show_progress)
         self._show_newest()
 
     def _leave(self, job: Job) -> None:
-        self._jobs.remove(job)
-        self._show_newest()
+        if job in self._jobs:
+            self._jobs.remove(job)
+            self._show_newest()
 
     def _show_newest(self) -> None:
         if not self._jobs:
@@ -57,13 +58,12 @@ class JobIndicator(QWidget):
         self._title.setText(
             self._title.fontMetrics().elidedText(title, Qt.TextElideMode.ElideMiddle, TITLE_WIDTH)
         )
-        self._bar.setValue(0)
+        self._show_progress()
         if not (self.isVisible() or self._patience.isActive()):
             self._patience.start()
 
-    def _show_progress(self, job: Job, share: float) -> None:
-        if job is self._jobs[-1]:
-            self._bar.setValue(round(100 * share))
+    def _show_progress(self) -> None:
+        self._bar.setValue(round(100 * self._jobs[-1].progress))
 
     def _stop(self) -> None:
         if self._jobs:

@@ -245,7 +245,7 @@ class MainWindow(QMainWindow):
         stack.indexChanged.connect(self._show_undo)
         stack.cleanChanged.connect(self._show_title)
         self._keys.guard(workspace)
-        workspace.repair.rebuilt.connect(lambda: self._keys.guard(workspace.repair))
+        workspace.repair.rebuilt.connect(self._guard_repair)
         self.stack.addWidget(workspace)
         self.stack.setCurrentWidget(workspace)
         self._show_document()
@@ -263,6 +263,10 @@ class MainWindow(QMainWindow):
         workspace.deleteLater()
         self.statusBar().clearMessage()
         self._show_document()
+
+    def _guard_repair(self) -> None:
+        if self.workspace is not None:
+            self._keys.guard(self.workspace.repair)
 
     # --- showing -----------------------------------------------------------------------------
 
