@@ -103,6 +103,7 @@ class Job(QObject):
         """The arguments: kept alive until the end."""
         self.progress = 0.0
         self.over = False
+        self._settled = False
         self._abandoned = False
 
     def cancel(self) -> None:
@@ -119,13 +120,18 @@ class Job(QObject):
         self.cancel()
 
     def poll(self) -> None:
-        """Pass the worker's progress on, or the end of its work."""
+        """Pass the worker's progress on, or see to it that the end of its work is told."""
+        if self._settled:
+            return
         progress = self._board.progress[self.slot]
         if progress != self.progress:
             self.progress = progress
             self.progressed.emit(progress)
         if self._future.done():
-            self._conclude()
+            self._settled = True
+            # Not from within the timer's slot: a dialog that an outcome opens would keep the timer
+            # from all other jobs.
+            QTimer.singleShot(0, self, self._conclude)
 
     def _conclude(self) -> None:
         self._held = ()
@@ -243,20 +249,20 @@ class Jobs(QObject):
     ) -> Job:
         job = Job(title, self._board, slot, future, held)
         job.quiet = quiet
+        job.ended.connect(self._retire)
         self._running[slot] = job
         self._timer.start()
         self.started.emit(job)
         return job
 
-    def _retire(self, job: Job) -> None:
-        del self._running[job.slot]
-        self._free.append(job.slot)
+    def _retire(self) -> None:
+        for job in [job for job in self._running.values() if job.over]:
+            del self._running[job.slot]
+            self._free.append(job.slot)
+            self.ended.emit(job)
         if not self._running:
             self._timer.stop()
-        self.ended.emit(job)
 
     def _poll(self) -> None:
         for job in list(self._running.values()):
             job.poll()
-            if job.over:
-                self._retire(job)

@@ -176,6 +176,28 @@ def test_the_newest_running_job_is_shown(jobs: Jobs, qtbot: QtBot) -> None:
     assert not indicator.isVisible()
 
 
+def test_a_dialog_that_an_outcome_opens_holds_no_other_job_up(jobs: Jobs, qtbot: QtBot) -> None:
+    release = Event()
+
+    def wait(progress: Callable[[float], None]) -> None:
+        release.wait(20)
+
+    other = jobs.read_or_write("other", wait)
+    seen = outcomes(other)
+
+    def open_dialog() -> None:
+        with qtbot.waitSignal(other.ended):
+            release.set()
+        seen.append("dialog closed")
+
+    job = jobs.read_or_write("double", double, 1)
+    job.finished.connect(open_dialog)
+    with qtbot.waitSignal(job.ended, timeout=20_000):
+        pass
+    assert seen == ["finished", "dialog closed"]
+    assert jobs.running == 0
+
+
 DROPPED = """
 from PySide6.QtCore import QCoreApplication
 from mocapmend.jobs import Jobs

@@ -265,8 +265,7 @@ class MainWindow(QMainWindow):
         self._show_document()
 
     def _guard_repair(self) -> None:
-        if self.workspace is not None:
-            self._keys.guard(self.workspace.repair)
+        self._with(lambda workspace: self._keys.guard(workspace.repair))
 
     # --- showing -----------------------------------------------------------------------------
 
