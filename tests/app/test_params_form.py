@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import pytest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QSpinBox
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QLineEdit, QSpinBox
 from pytestqt.qtbot import QtBot
 
 from mocapmend.views.params_form import ParamsForm
@@ -19,6 +20,7 @@ class Example:
     on: bool = option(default=True, label="On", text="Whether.")
     kind: Literal["this", "that"] = option("that", label="Kind", text="Which.")
     free: float | None = option(None, label="Free", text="Left to us.", minimum=0, maximum=5)
+    names: tuple[str, ...] = option((), label="Names", text="Whose.")
 
 
 @pytest.fixture
@@ -49,7 +51,13 @@ def test_every_kind_of_parameter_can_be_edited(form: ParamsForm, qtbot: QtBot) -
     assert lengths[1].text() == "automatic"
     with qtbot.waitSignal(form.changed):
         lengths[1].setValue(1.5)
-    assert form.params() == Example(count=9, length=4.25, on=False, kind="this", free=1.5)
+    names = form.findChild(QLineEdit, "names")
+    assert names.placeholderText() == "automatic"
+    names.setText("a, b")
+    with qtbot.waitSignal(form.changed):
+        qtbot.keyClick(names, Qt.Key.Key_Return)
+    changed = Example(count=9, length=4.25, on=False, kind="this", free=1.5, names=("a", "b"))
+    assert form.params() == changed
     assert lengths[0].suffix() == " mm"
 
 

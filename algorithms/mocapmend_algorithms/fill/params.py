@@ -14,6 +14,8 @@ WORDS |= {"false": False, "no": False, "off": False, "0": False}
 LARGEST = 1e300
 """Of all numbers: whole ones that are larger cannot be written as others are."""
 AUTOMATIC = ("auto", "automatic", "none", "")
+Words = tuple[str, ...]
+"""The type of a parameter that lists names, separated by commas where it is text."""
 
 
 def option(
@@ -29,8 +31,8 @@ def option(
 
     Parameters
     ----------
-    default : int, float, bool, str or None
-        The default; None means that the program chooses.
+    default : int, float, bool, str, tuple of str or None
+        The default; None and () mean that the program chooses.
     label, text : str
         A few words for a form, and a sentence of help.
     minimum, maximum : float, optional
@@ -99,10 +101,26 @@ def restore(kind: type[Any], values: Mapping[str, Any]) -> Any:
     ValueError
         If a name is unknown, or a value is not of its type or outside its bounds.
     """
-    return parse(kind, {name: "auto" if v is None else str(v) for name, v in values.items()})
+    lists = {name: tuple(map(str, v)) for name, v in values.items() if isinstance(v, list | tuple)}
+    others = {name: v for name, v in values.items() if name not in lists}
+    text = {name: "auto" if v is None else str(v) for name, v in others.items()}
+    hints = get_type_hints(kind)
+    for name in lists:
+        if hints.get(name) != Words:
+            raise ValueError(f"{name} must not be a list")
+    return dataclasses.replace(parse(kind, text), **lists)
+
+
+def parse_words(text: str) -> Words:
+    """Return the names in a text, separated by commas, each once; none where it says so."""
+    if text.strip().lower() in AUTOMATIC:
+        return ()
+    return tuple(dict.fromkeys(filter(None, map(str.strip, text.split(",")))))
 
 
 def _value(name: str, text: str, hint: Any) -> Any:
+    if hint == Words:
+        return parse_words(text)
     if get_origin(hint) in (Union, types.UnionType):
         if text.lower() in AUTOMATIC:
             return None
@@ -131,7 +149,7 @@ def _number(name: str, text: str, hint: Any) -> int | float:
 
 
 def _check_bounds(name: str, value: Any, metadata: Mapping[str, Any]) -> None:
-    if value is None or isinstance(value, (str, bool)):
+    if value is None or isinstance(value, str | bool | tuple):
         return
     unit = f" {metadata['unit']}" if metadata.get("unit") else ""
     if metadata.get("min") is not None and value < metadata["min"]:

@@ -11,9 +11,12 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
+    QLineEdit,
     QSpinBox,
     QWidget,
 )
+
+from mocapmend_algorithms.fill.params import Words, parse_words
 
 Getter = Callable[[], Any]
 UNBOUNDED = 1_000_000
@@ -44,6 +47,7 @@ class ParamsForm(QWidget):
         hints = get_type_hints(kind)
         for entry in fields(kind):
             widget, getter = self._editor(entry, hints[entry.name])
+            widget.setObjectName(entry.name)
             widget.setToolTip(str(entry.metadata.get("help", "")))
             widget.setAccessibleName(str(entry.metadata.get("label", entry.name)))
             self._layout.addRow(str(entry.metadata.get("label", entry.name)), widget)
@@ -61,6 +65,8 @@ class ParamsForm(QWidget):
             return self._optional(entry, inner)
         if get_origin(hint) is Literal:
             return self._choice(get_args(hint), entry.default)
+        if hint == Words:
+            return self._words(tuple(entry.default or ()))
         if hint is bool:
             box = QCheckBox()
             box.setChecked(bool(entry.default))
@@ -75,6 +81,13 @@ class ParamsForm(QWidget):
         combo.setCurrentIndex(options.index(str(default)))
         combo.currentIndexChanged.connect(self.changed)
         return combo, combo.currentData
+
+    def _words(self, default: Words) -> tuple[QWidget, Getter]:
+        """Make a line of names, separated by commas; an empty one is left to the method."""
+        edit = QLineEdit(", ".join(default))
+        edit.setPlaceholderText(self.tr("automatic"))
+        edit.editingFinished.connect(self.changed)
+        return edit, lambda: parse_words(edit.text())
 
     def _number(
         self, entry: Field[Any], hint: type, default: Any
