@@ -66,7 +66,7 @@ class ParamsForm(QWidget):
         if get_origin(hint) is Literal:
             return self._choice(get_args(hint), entry.default)
         if hint == Words:
-            return self._words(tuple(entry.default or ()))
+            return self._words(entry.default)
         if hint is bool:
             box = QCheckBox()
             box.setChecked(bool(entry.default))
@@ -82,7 +82,7 @@ class ParamsForm(QWidget):
         combo.currentIndexChanged.connect(self.changed)
         return combo, combo.currentData
 
-    def _words(self, default: Words) -> tuple[QWidget, Getter]:
+    def _words(self, default: Any) -> tuple[QWidget, Getter]:
         """Make a line of names, separated by commas; an empty one is left to the method."""
         edit = QLineEdit(", ".join(default))
         edit.setPlaceholderText(self.tr("automatic"))
