@@ -77,6 +77,11 @@ def align(points: FloatArray, template: FloatArray, weights: FloatArray) -> Alig
     return Alignment(rotation, centre, origin)
 
 
+def standing(frames: int) -> Alignment:
+    """Return the alignment that leaves all points where they are."""
+    return Alignment(np.tile(np.eye(3), (frames, 1, 1)), np.zeros((frames, 3)), np.zeros(3))
+
+
 def mean_shape(points: FloatArray, weights: FloatArray) -> FloatArray:
     """Return the mean shape of a group of markers.
 

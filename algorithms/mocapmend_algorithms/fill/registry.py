@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mocapmend_algorithms.fill import interpolate, kalman, params
+from mocapmend_algorithms.fill import auto, interpolate, kalman, params
 from mocapmend_algorithms.fill.contract import FillFunction
 
 
@@ -76,6 +76,16 @@ _ALL = (
         help="Carries position and velocity into the gap from both sides, with a band that says "
         "how sure it is. It looks at one marker alone and cannot know what happened inside a "
         "gap much longer than 0.2 s.",
+    ),
+    Method(
+        id="auto",
+        label="Automatic",
+        function=auto.auto,
+        params=auto.AutoParams,
+        help="Learns from this very recording how the marker moves with all others that are seen "
+        "in the gap. Several such fills are tested on hidden stretches like the gap and blended "
+        "by how well they did; the expected error and the band come from these tests.",
+        fills_edges=True,
     ),
 )
 

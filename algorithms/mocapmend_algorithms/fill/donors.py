@@ -1,0 +1,162 @@
+"""Donors: the markers from whose motion a missing marker's place is computed.
+
+A good donor keeps its distance to the marker, is near it, and is seen while the marker is missing.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.recording import Recording
+
+MOST_FRAMES = 600
+LEAST_TOGETHER = 3
+
+
+class NoDonorsError(ValueError):
+    """No donors for a gap; the message says why, in words a user understands."""
+
+
+@dataclass(frozen=True, eq=False)
+class Donors:
+    """Markers and how they move with another one.
+
+    Attributes
+    ----------
+    markers : ndarray of int, shape (donors,)
+        Indices of markers.
+    spread : ndarray, shape (donors,)
+        Standard deviation of the distance to the marker (mm).
+    distance : ndarray, shape (donors,)
+        Mean distance to the marker (mm).
+    """
+
+    markers: IntArray
+    spread: FloatArray
+    distance: FloatArray
+
+    def __len__(self) -> int:
+        return int(self.markers.size)
+
+    def best(self, count: int, nearness: float = 0.0) -> IntArray:
+        """Return the places of the best donors in `markers`, best first.
+
+        Parameters
+        ----------
+        count : int
+            How many at most.
+        nearness : float
+            What a millimetre of distance counts beside one of spread.
+        """
+        return np.argsort(self.spread + nearness * self.distance, kind="stable")[:count]
+
+    def __getitem__(self, chosen: IntArray | BoolArray) -> "Donors":
+        """Return some of the donors."""
+        return Donors(self.markers[chosen], self.spread[chosen], self.distance[chosen])
+
+
+class Distances:
+    """Distances between the markers of a recording, measured on up to 600 of its frames.
+
+    Parameters
+    ----------
+    points : ndarray, shape (frames, markers, 3)
+        In mm.
+    observed : ndarray of bool, shape (frames, markers)
+        The samples that may be looked at.
+    """
+
+    def __init__(self, points: FloatArray, observed: BoolArray) -> None:
+        self._points = points
+        self._observed = observed
+        self._known: dict[int, Donors] = {}
+
+    def to(self, marker: int) -> Donors:
+        """Return all markers that are seen together with one, as its possible donors."""
+        if marker not in self._known:
+            self._known[marker] = self._measure(marker)
+        return self._known[marker]
+
+    def _measure(self, marker: int) -> Donors:
+        frames = np.flatnonzero(self._observed[:, marker])
+        frames = frames[np.unique(np.linspace(0, frames.size - 1, MOST_FRAMES).astype(np.int64))]
+        seen = self._observed[frames]
+        apart = self._points[frames] - self._points[frames, marker][:, None]
+        distance = np.where(seen, np.sqrt(np.einsum("fmi,fmi->fm", apart, apart)), 0.0)
+        together = seen.sum(axis=0)
+        together[marker] = 0
+        others = np.flatnonzero(together >= LEAST_TOGETHER)
+        count = together[others]
+        mean = distance[:, others].sum(axis=0) / count
+        around = np.where(seen[:, others], distance[:, others] - mean, 0.0)
+        spread = np.sqrt((around**2).sum(axis=0) / count)
+        return Donors(others, spread, mean)
+
+
+def by_hand(recording: Recording, labels: Sequence[str]) -> IntArray:
+    """Find the markers that a user names as donors.
+
+    Parameters
+    ----------
+    recording : Recording
+        Whose labels are looked at.
+    labels : sequence of str
+        Labels; case matters.
+
+    Returns
+    -------
+    ndarray of int
+
+    Raises
+    ------
+    NoDonorsError
+        If there is no marker of that label, or more than one.
+    """
+    found = []
+    for label in labels:
+        markers = [marker for marker, known in enumerate(recording.labels) if known == label]
+        if not markers:
+            raise NoDonorsError(f"there is no marker {label} to take as a donor")
+        if len(markers) > 1:
+            raise NoDonorsError(f"{len(markers)} markers are called {label}: which one is the donor?")
+        found += markers
+    return np.array(found, dtype=np.int64)
+
+
+def check_seen(recording: Recording, observed: BoolArray, gap: Gap, markers: IntArray) -> None:
+    """Make sure that donors are seen throughout a gap and at its edges.
+
+    Parameters
+    ----------
+    recording : Recording
+        For the labels.
+    observed : ndarray of bool, shape (frames, markers)
+        The samples that may be looked at.
+    gap : Gap
+        To be filled.
+    markers : ndarray of int
+        The donors.
+
+    Raises
+    ------
+    NoDonorsError
+        If one is not, or is the marker itself.
+    """
+    for marker in markers.tolist():
+        label = recording.labels[marker]
+        if marker == gap.marker:
+            raise NoDonorsError(f"{label} cannot be its own donor")
+        if not observed[gap.start : gap.stop, marker].all():
+            raise NoDonorsError(f"the donor {label} is missing in the gap too")
+        if not edges_seen(observed, gap)[marker]:
+            raise NoDonorsError(f"the donor {label} is missing at an edge of the gap")
+
+
+def edges_seen(observed: BoolArray, gap: Gap) -> BoolArray:
+    """Return which markers are seen at the frames before and after a gap."""
+    edges = [frame for frame in (gap.start - 1, gap.stop) if 0 <= frame < observed.shape[0]]
+    seen: BoolArray = observed[edges].all(axis=0)
+    return seen
