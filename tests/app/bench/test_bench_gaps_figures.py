@@ -178,6 +178,14 @@ def test_the_targets_of_auto() -> None:
     }  # fmt: skip
 
 
+def test_only_cases_far_worse_than_the_better_peer_count() -> None:
+    own = {"a": 7.9, "b": 8.1, "c": 9.0}
+    tried = [trial(case(k, "P4", tits=4.0, rigid=9.0), "auto", [rmse]) for k, rmse in own.items()]
+    tried.append(trial(case("d", "P3", tits=1.0), "auto", [9.0]))
+    (row,) = [row for row in targets(Trials(tried)).as_json() if "2 times" in str(row["what"])]
+    assert (row["cases"], row["figure"], row["met"]) == (3, 2.0, False)
+
+
 def test_auto_alone_has_targets_without_figures() -> None:
     rows = targets(Trials([trial(case("a"), "auto", [], left_open=2)])).as_json()
     assert {row["met"] for row in rows} == {None}
