@@ -5,33 +5,47 @@ import json
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-
-from mocapmend.bench.table import Table
+from typing import Any, Protocol
 
 SCHEMA = 1
 BENCHES = {
     "io": "reading and saving a large C3D file, against numpy, a file copy, c3d and ezc3d",
     "gui": "scrubbing a large recording, and the time to the first picture",
     "fuzz": "damaged files: each must open or be refused, soon and without much memory",
+    "gaps": "methods of repair on gap cases with known truth, against published methods",
 }
-"""Each is a module with `add_arguments(parser)` and `run(arguments)`, which returns a table."""
+"""Each is a module with `add_arguments(parser)` and `run(arguments)`, which returns a result."""
+
+
+class Result(Protocol):
+    """What a benchmark found: a `Table` or a `Report`."""
+
+    @property
+    def failed(self) -> bool:
+        """Whether the program did something wrong: then the command ends with code 1."""
+
+    def as_json(self) -> dict[str, Any]:
+        """Return it for a JSON document."""
+
+    def as_markdown(self) -> str:
+        """Return it as the documentation has it."""
 
 
 def main(argv: Sequence[str]) -> int:
-    """Run a benchmark and print its table; return the exit code."""
+    """Run a benchmark and print what it found; return the exit code."""
     name = _name(argv[:1])
     module = import_module(f"mocapmend.bench.{name}")
     parser = argparse.ArgumentParser(prog=f"mocapmend bench {name}", description=module.__doc__)
     module.add_arguments(parser)
     parser.add_argument("--json", action="store_true", help="print the table as JSON")
     arguments = parser.parse_args(argv[1:])
-    table: Table = module.run(arguments)
+    result: Result = module.run(arguments)
     if arguments.json:
-        document = {"schema": SCHEMA, "command": f"bench {name}", **table.as_json()}
+        document = {"schema": SCHEMA, "command": f"bench {name}", **result.as_json()}
         sys.stdout.write(json.dumps(document, indent=2) + "\n")
     else:
-        sys.stdout.write(table.as_markdown())
-    return int(table.failed)
+        sys.stdout.write(result.as_markdown())
+    return int(result.failed)
 
 
 def _name(argv: Sequence[str]) -> str:

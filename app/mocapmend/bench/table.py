@@ -2,10 +2,13 @@
 
 import os
 import platform
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
+
+HEADERS = ("what", "median", "against", "ratio", "target")
 
 
 @dataclass(frozen=True)
@@ -67,18 +70,19 @@ class Table:
 
     def as_markdown(self) -> str:
         """Return the table as the documentation has it."""
-        lines = [
-            f"{self.title}  ",
-            f"{machine()}",
-            "",
-            "| what | median | against | ratio | target |",
-            "|---|---|---|---|---|",
-        ]
+        rows = []
         for row in self.rows:
             ratio = "" if row.ratio is None else f"{row.ratio:.2f}"
             figure = row.note if row.figure is None else _figure(row.figure, row.unit)
-            lines.append(f"| {row.what} | {figure} | {row.against} | {ratio} | {row.target} |")
+            rows.append([row.what, figure, row.against, ratio, row.target])
+        lines = [f"{self.title}  ", machine(), "", *markdown(HEADERS, rows)]
         return "\n".join(lines) + "\n"
+
+
+def markdown(headers: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return the lines of a table."""
+    rule = "|" + "---|" * len(headers)
+    return [_line(headers), rule, *(_line(row) for row in rows)]
 
 
 def machine() -> str:
@@ -92,3 +96,7 @@ def machine() -> str:
 def _figure(value: float, unit: str) -> str:
     """Write a measured figure, or a count, which has no unit, with all its digits."""
     return f"{value:.3g} {unit}" if unit else f"{value:,.0f}"
+
+
+def _line(cells: Sequence[str]) -> str:
+    return "| " + " | ".join(cells) + " |"

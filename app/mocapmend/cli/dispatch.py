@@ -21,7 +21,7 @@ COMMANDS = {
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",
     "check": "prove that a repaired C3D file differs from its original in repaired samples alone",
-    "bench": "measure speed, and try damaged files: bench io, bench gui, bench fuzz",
+    "bench": "measure speed and accuracy: bench io, bench gui, bench fuzz, bench gaps",
 }
 _HELP = """\
 commands (mocapmend COMMAND --help says more):
