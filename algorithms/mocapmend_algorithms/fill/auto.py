@@ -12,7 +12,6 @@ from typing import Any, Literal
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.fill import donors, pose_regression
 from mocapmend_algorithms.fill.band import band
 from mocapmend_algorithms.fill.case import Case, Survey
@@ -21,7 +20,7 @@ from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.pose_regression import Candidate, View
-from mocapmend_algorithms.fill.stack import leave_one_out, stack
+from mocapmend_algorithms.fill.stack import blend, leave_one_out, stack
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
@@ -153,7 +152,11 @@ def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, 
     )
     values = blend([candidate.values for candidate in candidates], weights)
     labels = [recording.labels[marker] for marker in case.donors.markers[case.donors.best(4)]]
-    notes = {"donors": tuple(labels), "self_tests": len(errors), "weights": weights.round(3)}
+    notes = {
+        "donors": tuple(labels),
+        "self_tests": len(errors),
+        "weights": tuple(weights.round(3).tolist()),
+    }
     mm = recording.mm
     return Patch(case.gap, values / mm, unsure.sigma / mm, unsure.r90 / mm), notes
 

@@ -60,7 +60,8 @@ class Case:
     def at(self, donors: IntArray, shift: int = 0) -> FloatArray:
         """Return some of the donors at the frames, or some frames away from them, in mm."""
         frames = np.clip(self.frames + shift, 0, self.points.shape[0] - 1)
-        return self.points[frames[:, None], self.donors.markers[donors]]
+        chosen: FloatArray = self.points[frames[:, None], self.donors.markers[donors]]
+        return chosen
 
     def elapsed(self, step: int) -> FloatArray:
         """Return how many frames `at` has between `-step` and `step`, shape (frames,)."""
@@ -132,7 +133,7 @@ class Survey:
     def candidates(self, gap: Gap) -> Donors:
         """Return the markers that are seen throughout a gap and often with its marker."""
         known = self.distances.to(gap.marker)
-        seen = self.observed[gap.start : gap.stop, known.markers].all(axis=0)
+        seen = np.logical_and.reduce(self.observed[gap.start : gap.stop, known.markers])
         return known[seen]
 
     def together(self, gap: Gap, donors: Donors, most: int) -> Donors:

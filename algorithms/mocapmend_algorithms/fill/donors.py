@@ -121,7 +121,9 @@ def by_hand(recording: Recording, labels: Sequence[str]) -> IntArray:
         if not markers:
             raise NoDonorsError(f"there is no marker {label} to take as a donor")
         if len(markers) > 1:
-            raise NoDonorsError(f"{len(markers)} markers are called {label}: which one is the donor?")
+            raise NoDonorsError(
+                f"{len(markers)} markers are called {label}: which one is the donor?"
+            )
         found += markers
     return np.array(found, dtype=np.int64)
 
@@ -158,5 +160,5 @@ def check_seen(recording: Recording, observed: BoolArray, gap: Gap, markers: Int
 def edges_seen(observed: BoolArray, gap: Gap) -> BoolArray:
     """Return which markers are seen at the frames before and after a gap."""
     edges = [frame for frame in (gap.start - 1, gap.stop) if 0 <= frame < observed.shape[0]]
-    seen: BoolArray = observed[edges].all(axis=0)
+    seen: BoolArray = np.logical_and.reduce(observed[edges])
     return seen

@@ -160,9 +160,7 @@ class _Scales:
 def _scales(inputs: Inputs) -> _Scales:
     square = np.einsum("ij,ij->i", inputs.poses, inputs.poses)
     few = inputs.poses[:: max(1, len(inputs) // 100)]
-    return _Scales(
-        float(np.mean(square)) or 1.0, float(np.median(cdist(inputs.poses, few))) or 1.0
-    )
+    return _Scales(float(np.mean(square)) or 1.0, float(np.median(cdist(inputs.poses, few))) or 1.0)
 
 
 class _Pairs:

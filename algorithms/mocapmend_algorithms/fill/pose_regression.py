@@ -7,8 +7,8 @@ import numpy as np
 
 from mocapmend_algorithms.alignment import Alignment
 from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill import gaussian
+from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.gaussian import Inputs, Kernel, Regression
 
 SPREAD_FLOOR_MM = 0.5
@@ -132,7 +132,8 @@ def _acceleration(
     before, after = (np.einsum("fgi,g->fi", case.at(frame, s), share) for s in (-step, step))
     change = (before + after - 2 * alignment.centre) * (case.rate / step) ** 2 / GRAVITY
     local = (change[:, None] @ alignment.rotation)[:, 0]
-    return np.nan_to_num(MOST_GRAVITIES * np.tanh(local / MOST_GRAVITIES))
+    bounded: FloatArray = np.nan_to_num(MOST_GRAVITIES * np.tanh(local / MOST_GRAVITIES))
+    return bounded
 
 
 def _candidate(case: Case, alignment: Alignment, fit: Regression) -> Candidate:

@@ -15,9 +15,7 @@ from mocapmend_algorithms.arrays import FloatArray
 SUM_WEIGHT = 1e4
 
 
-def stack(
-    errors: Sequence[Sequence[FloatArray]], prior: FloatArray, pull: float
-) -> FloatArray:
+def stack(errors: Sequence[Sequence[FloatArray]], prior: FloatArray, pull: float) -> FloatArray:
     """Return the weights of candidates.
 
     Parameters
