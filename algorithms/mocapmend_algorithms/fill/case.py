@@ -67,7 +67,8 @@ class Case:
         """Return how many frames `at` has between `-step` and `step`, shape (frames,)."""
         last = self.points.shape[0] - 1
         frames = np.minimum(self.frames + step, last) - np.maximum(self.frames - step, 0)
-        return np.maximum(frames, 1).astype(np.float64)
+        elapsed: FloatArray = np.maximum(frames, 1).astype(np.float64)
+        return elapsed
 
     def aligned(self, donors: IntArray, weights: FloatArray) -> Alignment:
         """Return the motion of some of the donors at the frames."""
