@@ -12,15 +12,17 @@ from typing import Any, Literal
 
 import numpy as np
 
-from mocapmend_algorithms.fill import donors, pose_regression
+from mocapmend_algorithms.fill import pose_regression
 from mocapmend_algorithms.fill.band import band
-from mocapmend_algorithms.fill.case import Case, Survey
+from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.donors import LEFT_OPEN, NoDonorsError
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.pose_regression import Candidate, View
-from mocapmend_algorithms.fill.stack import blend, leave_one_out, stack
+from mocapmend_algorithms.fill.stack import Stack, blend
+from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
@@ -51,8 +53,8 @@ CANDIDATES: tuple[tuple[View, tuple[Kernel, ...]], ...] = (
 ALONE = View(frame=0, donors=0, power=1.0, up=0.0, acceleration=0.0)
 """Of a marker without donors: nothing but its own trajectory."""
 PULL = 0.1
-SIZE = Size()
-ENOUGH = 2 * SIZE.frames
+SIZE = Size(frames=400, trials=20, judged=10, rest=100)
+ENOUGH = 3 * SIZE.frames
 
 
 @dataclass(frozen=True)
@@ -106,7 +108,7 @@ def auto(
                 case, recording, lambda share, done=done: progress((done + share) / len(gaps))
             )
             patches.append(patch)
-        except donors.NoDonorsError as error:
+        except NoDonorsError as error:
             unfilled.append(Unfilled(gap, str(error)))
     progress(1.0)
     return FillResult(tuple(patches), tuple(unfilled), notes)
@@ -114,26 +116,15 @@ def auto(
 
 def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
     """Collect what there is to learn from."""
-    recording = survey.recording
-    if not survey.observed[:, gap.marker].any():
-        raise donors.NoDonorsError("the marker is never seen in this recording")
-    edge = gap.kind(recording.frames) != "interior"
+    edge = gap.kind(survey.recording.frames) != "interior"
     if edge and params.edges == "leave":
-        raise donors.NoDonorsError(
-            "it is at the beginning or the end, where gaps are to be left open"
-        )
-    if params.donors:
-        chosen = donors.by_hand(recording, params.donors)
-        donors.check_seen(recording, survey.observed, gap, chosen)
-        found = survey.distances.to(gap.marker)
-        found = found[np.isin(found.markers, chosen)]
-    else:
-        found = survey.together(gap, survey.candidates(gap), ENOUGH)
-    if edge and not len(found):
-        raise donors.NoDonorsError(
+        raise NoDonorsError(LEFT_OPEN)
+    donors = survey.donors(gap, params.donors, at_edges=False, enough=ENOUGH)
+    if edge and not len(donors):
+        raise NoDonorsError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    return survey.case(gap, found, SIZE)
+    return survey.case(gap, donors, SIZE)
 
 
 def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, dict[str, Any]]:
@@ -141,12 +132,13 @@ def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, 
     candidates = _candidates(case, progress)
     errors = list(zip(*(candidate.errors for candidate in candidates), strict=True))
     prior = np.full(len(candidates), 1 / len(candidates))
-    weights = stack(errors, prior, PULL)
+    stack = Stack(errors, prior, PULL)
+    weights = stack.weights()
     scaled = weights * np.array([_unit(candidate) for candidate in candidates])
     spreads = zip(*(candidate.spreads for candidate in candidates), strict=True)
     unsure = band(
         case,
-        leave_one_out(errors, prior, PULL),
+        stack.left_out(),
         [blend(spread, scaled) for spread in spreads],
         blend([candidate.spread for candidate in candidates], scaled),
     )

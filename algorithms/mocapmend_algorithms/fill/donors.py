@@ -10,10 +10,10 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.recording import Recording
 
 MOST_FRAMES = 600
 LEAST_TOGETHER = 3
+LEFT_OPEN = "it is at the beginning or the end, where gaps are to be left open"
 
 
 class NoDonorsError(ValueError):
@@ -96,15 +96,15 @@ class Distances:
         return Donors(others, spread, mean)
 
 
-def by_hand(recording: Recording, labels: Sequence[str]) -> IntArray:
+def by_label(known: Sequence[str], labels: Sequence[str]) -> IntArray:
     """Find the markers that a user names as donors.
 
     Parameters
     ----------
-    recording : Recording
-        Whose labels are looked at.
+    known : sequence of str
+        The labels of a recording.
     labels : sequence of str
-        Labels; case matters.
+        Those of the donors; case matters.
 
     Returns
     -------
@@ -117,43 +117,45 @@ def by_hand(recording: Recording, labels: Sequence[str]) -> IntArray:
     """
     found = []
     for label in labels:
-        markers = [marker for marker, known in enumerate(recording.labels) if known == label]
-        if not markers:
+        count = known.count(label)
+        if not count:
             raise NoDonorsError(f"there is no marker {label} to take as a donor")
-        if len(markers) > 1:
-            raise NoDonorsError(
-                f"{len(markers)} markers are called {label}: which one is the donor?"
-            )
-        found += markers
+        if count > 1:
+            raise NoDonorsError(f"{count} markers are called {label}: it cannot be a donor")
+        found.append(known.index(label))
     return np.array(found, dtype=np.int64)
 
 
-def check_seen(recording: Recording, observed: BoolArray, gap: Gap, markers: IntArray) -> None:
-    """Make sure that donors are seen throughout a gap and at its edges.
+def check_seen(
+    labels: Sequence[str], observed: BoolArray, gap: Gap, donors: IntArray, *, at_edges: bool
+) -> None:
+    """Make sure that donors are seen throughout a gap.
 
     Parameters
     ----------
-    recording : Recording
-        For the labels.
+    labels : sequence of str
+        Of all markers.
     observed : ndarray of bool, shape (frames, markers)
         The samples that may be looked at.
     gap : Gap
         To be filled.
-    markers : ndarray of int
+    donors : ndarray of int
         The donors.
+    at_edges : bool
+        Whether they must be seen at the frames before and after the gap too.
 
     Raises
     ------
     NoDonorsError
         If one is not, or is the marker itself.
     """
-    for marker in markers.tolist():
-        label = recording.labels[marker]
+    for marker in donors.tolist():
+        label = labels[marker]
         if marker == gap.marker:
             raise NoDonorsError(f"{label} cannot be its own donor")
         if not observed[gap.start : gap.stop, marker].all():
             raise NoDonorsError(f"the donor {label} is missing in the gap too")
-        if not edges_seen(observed, gap)[marker]:
+        if at_edges and not edges_seen(observed, gap)[marker]:
             raise NoDonorsError(f"the donor {label} is missing at an edge of the gap")
 
 

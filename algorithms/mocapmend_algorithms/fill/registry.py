@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mocapmend_algorithms.fill import auto, interpolate, kalman, params
+from mocapmend_algorithms.fill import auto, interpolate, kalman, local_frame, params
 from mocapmend_algorithms.fill.contract import FillFunction
 
 
@@ -67,6 +67,34 @@ _ALL = (
         params=interpolate.PchipParams,
         help="A curve that never overshoots the edges of the gap. Safer than the cubic spline on "
         "jittery samples, less exact on smooth motion.",
+    ),
+    Method(
+        id="rigid",
+        label="Rigid body",
+        function=local_frame.rigid,
+        params=local_frame.RigidParams,
+        help="Moves the marker with three or more donors that keep their distance to it, such as "
+        "those of the same segment. Good while that part of the body is stiff; it cannot follow "
+        "skin and joints.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pattern",
+        label="Pattern",
+        function=local_frame.pattern,
+        params=local_frame.PatternParams,
+        help="Moves the marker along with one donor. For lack of better donors: it does not turn "
+        "with the body.",
+        fills_edges=True,
+    ),
+    Method(
+        id="local-frame",
+        label="Local frame regression",
+        function=local_frame.local_frame,
+        params=local_frame.LocalFrameParams,
+        help="Learns from this recording how the marker moves beside its donors, in a frame that "
+        "moves with four of them. Follows skin and joints as far as the donors show them.",
+        fills_edges=True,
     ),
     Method(
         id="kalman",

@@ -15,64 +15,59 @@ from mocapmend_algorithms.arrays import FloatArray
 SUM_WEIGHT = 1e4
 
 
-def stack(errors: Sequence[Sequence[FloatArray]], prior: FloatArray, pull: float) -> FloatArray:
-    """Return the weights of candidates.
+class Stack:
+    """Weights of candidates, measured on trials.
 
     Parameters
     ----------
     errors : sequence over trials of sequence over candidates of ndarray, shape (samples, 3)
-        What each candidate leaves over; trials count alike, however hard they are.
+        What each candidate leaves over. Trials count alike, however hard they are.
     prior : ndarray, shape (candidates,)
         Weights without any trial, summing to one.
     pull : float
         How strongly the weights are pulled towards them.
-
-    Returns
-    -------
-    ndarray, shape (candidates,)
-        Not negative, summing to one.
     """
-    count = prior.size
-    gram = pull * np.eye(count)
-    wanted = pull * prior
-    for trial in errors:
-        flat = np.stack([candidate.ravel() for candidate in trial])
-        products = flat @ flat.T
-        typical = float(np.median(np.diagonal(products)))
-        if typical > 0:
-            gram += products / (typical * len(errors))
-    # Least squares of the square root, with the sum as one more, heavy equation.
-    root = np.linalg.cholesky(gram)
-    equations = np.vstack((root.T, np.full(count, SUM_WEIGHT)))
-    right = np.append(np.linalg.solve(root, wanted), SUM_WEIGHT)
-    weights, _ = nnls(equations, right)
-    total: FloatArray = weights / weights.sum()
-    return total
 
+    def __init__(
+        self, errors: Sequence[Sequence[FloatArray]], prior: FloatArray, pull: float
+    ) -> None:
+        self._errors = errors
+        self._prior = prior
+        self._pull = pull
+        self._grams = [_gram(trial) for trial in errors]
 
-def leave_one_out(
-    errors: Sequence[Sequence[FloatArray]], prior: FloatArray, pull: float
-) -> list[FloatArray]:
-    """Return what a blend leaves over in each trial, with the weights that the others give.
+    def weights(self) -> FloatArray:
+        """Return the weights, shape (candidates,): not negative, summing to one."""
+        return self._solve(sum(self._grams, np.zeros((self._prior.size,) * 2)), len(self._grams))
 
-    Parameters
-    ----------
-    errors, prior, pull
-        As in `stack`.
+    def left_out(self) -> list[FloatArray]:
+        """Return what the blend leaves over in each trial with the weights of all the others."""
+        total = sum(self._grams, np.zeros((self._prior.size,) * 2))
+        return [
+            blend(trial, self._solve(total - gram, len(self._grams) - 1))
+            for trial, gram in zip(self._errors, self._grams, strict=True)
+        ]
 
-    Returns
-    -------
-    list of ndarray, shape (samples, 3)
-        Per trial.
-    """
-    left = []
-    for trial in range(len(errors)):
-        weights = stack([*errors[:trial], *errors[trial + 1 :]], prior, pull)
-        left.append(blend(errors[trial], weights))
-    return left
+    def _solve(self, total: FloatArray, trials: int) -> FloatArray:
+        # Least squares of the square root, with the sum as one more, heavy equation.
+        gram = total / max(trials, 1) + self._pull * np.eye(self._prior.size)
+        root = np.linalg.cholesky(gram)
+        equations = np.vstack((root.T, np.full(self._prior.size, SUM_WEIGHT)))
+        wanted = np.append(np.linalg.solve(root, self._pull * self._prior), SUM_WEIGHT)
+        weights, _ = nnls(equations, wanted)
+        normalised: FloatArray = weights / weights.sum()
+        return normalised
 
 
 def blend(parts: Sequence[FloatArray], weights: FloatArray) -> FloatArray:
     """Return the weighted sum of arrays of the same shape."""
     total: FloatArray = np.tensordot(weights, np.stack(parts), axes=1)
     return total
+
+
+def _gram(trial: Sequence[FloatArray]) -> FloatArray:
+    """Return the products of the candidates' errors, relative to a typical square."""
+    flat = np.stack([errors.ravel() for errors in trial])
+    products: FloatArray = flat @ flat.T
+    typical = float(np.median(np.diagonal(products)))
+    return products / typical if typical > 0 else products

@@ -1,0 +1,134 @@
+"""A recording as its gaps share it: who helps to fill a gap, and which frames teach how."""
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.fill.case import Case
+from mocapmend_algorithms.fill.donors import (
+    Distances,
+    Donors,
+    NoDonorsError,
+    by_label,
+    check_seen,
+    edges_seen,
+)
+from mocapmend_algorithms.fill.lessons import Size, plan
+from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.recording import Recording
+
+LEAST_TOGETHER = 0.5
+KEPT_SHARE = 0.9
+NEARNESS = 0.02
+
+
+class Survey:
+    """A recording as its gaps share it.
+
+    Parameters
+    ----------
+    recording : Recording
+        Not changed.
+    gaps : sequence of Gap
+        Samples inside them are never looked at.
+    """
+
+    def __init__(self, recording: Recording, gaps: Sequence[Gap]) -> None:
+        self.recording = recording
+        self.observed: BoolArray = recording.present.copy()
+        for gap in gaps:
+            self.observed[gap.start : gap.stop, gap.marker] = False
+
+    @cached_property
+    def points(self) -> FloatArray:
+        """The samples in mm, NaN where they may not be looked at."""
+        points = np.where(self.observed[:, :, None], self.recording.points, np.nan)
+        points *= self.recording.mm
+        return points
+
+    @cached_property
+    def distances(self) -> Distances:
+        """How the markers move with each other."""
+        return Distances(self.points, self.observed)
+
+    def donors(self, gap: Gap, labels: Sequence[str], *, at_edges: bool, enough: int) -> Donors:
+        """Choose the donors of a gap.
+
+        Parameters
+        ----------
+        gap : Gap
+            To be filled.
+        labels : sequence of str
+            Donors that the user names; where there are none, all markers are candidates that are
+            seen throughout the gap and often with its marker.
+        at_edges : bool
+            Whether they must be seen at the frames before and after the gap too.
+        enough : int
+            Automatic donors that are often missing are left out as long as there are fewer frames
+            than this to learn from.
+
+        Returns
+        -------
+        Donors
+            Possibly none.
+
+        Raises
+        ------
+        NoDonorsError
+            If the marker is never seen, or a donor that the user names is missing.
+        """
+        if not self.observed[:, gap.marker].any():
+            raise NoDonorsError("the marker is never seen in this recording")
+        known = self.distances.to(gap.marker)
+        if labels:
+            wanted = by_label(self.recording.labels, labels)
+            check_seen(self.recording.labels, self.observed, gap, wanted, at_edges=at_edges)
+            return known[np.isin(known.markers, wanted)]
+        seen = np.logical_and.reduce(self.observed[gap.start : gap.stop])
+        if at_edges:
+            seen &= edges_seen(self.observed, gap)
+        return self._together(gap, known[seen[known.markers]], enough)
+
+    def case(self, gap: Gap, donors: Donors, size: Size) -> Case:
+        """Collect what a fill of a gap looks at.
+
+        Raises
+        ------
+        NoDonorsError
+            If the marker and its donors are hardly ever seen together.
+        """
+        usable = self.observed[:, gap.marker] & self.observed[:, donors.markers].all(axis=1)
+        lesson = plan(usable, gap, size)
+        if lesson.frames.size < 2:
+            raise NoDonorsError("the marker and its donors are hardly ever seen together")
+        return Case(
+            gap=gap,
+            rate=self.recording.rate,
+            up=_direction(self.recording.up),
+            lesson=lesson,
+            frames=np.concatenate((lesson.frames, np.arange(gap.start, gap.stop))),
+            donors=donors,
+            target=self.points[lesson.frames, gap.marker],
+            points=self.points,
+        )
+
+    def _together(self, gap: Gap, found: Donors, enough: int) -> Donors:
+        """Leave out donors without which there are many more frames to learn from."""
+        usable = self.observed[:, gap.marker]
+        least = LEAST_TOGETHER * np.count_nonzero(usable)
+        kept = []
+        for place in found.best(len(found), NEARNESS).tolist():
+            both = usable & self.observed[:, found.markers[place]]
+            count = np.count_nonzero(both)
+            if count >= min(enough, KEPT_SHARE * np.count_nonzero(usable)) and count >= least:
+                usable = both
+                kept.append(place)
+        return found[np.array(kept, dtype=np.int64)]
+
+
+def _direction(up: str) -> FloatArray:
+    direction = np.zeros(3)
+    direction["xyz".index(up[1])] = 1.0 if up[0] == "+" else -1.0
+    return direction
