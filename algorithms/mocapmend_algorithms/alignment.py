@@ -7,7 +7,8 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray
 
 LEAST_FOR_ROTATION = 3
-TEMPLATE_ROUNDS = 2
+SHAPE_ROUNDS = 2
+SHAPE_FRAMES = 100
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,9 +96,10 @@ def mean_shape(points: FloatArray, weights: FloatArray) -> FloatArray:
     Returns
     -------
     ndarray, shape (group, 3)
-        The frames aligned to each other (the middle one first) and averaged.
+        About a hundred of the frames, aligned to each other (the middle one first) and averaged.
     """
+    points = points[:: -(-points.shape[0] // SHAPE_FRAMES)]
     shape: FloatArray = points[points.shape[0] // 2]
-    for _ in range(TEMPLATE_ROUNDS):
+    for _ in range(SHAPE_ROUNDS):
         shape = align(points, shape, weights).to_local(points).mean(axis=0)
     return shape

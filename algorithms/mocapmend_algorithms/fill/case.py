@@ -1,12 +1,14 @@
 """One gap, and all that a donor method looks at to fill it."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from mocapmend_algorithms.alignment import Alignment, align, mean_shape, standing
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.donors import Donors
+from mocapmend_algorithms.fill.gaussian import Times
 from mocapmend_algorithms.fill.lessons import Lesson
 from mocapmend_algorithms.gaps import Gap
 
@@ -48,6 +50,16 @@ class Case:
     def samples(self) -> int:
         """Number of frames to learn from."""
         return int(self.lesson.frames.size)
+
+    @cached_property
+    def times(self) -> Times:
+        """The frames as a regression sees them; each trial is left out as a whole."""
+        return Times(
+            self.lesson.frames,
+            self.frames[self.samples :],
+            self.rate,
+            [trial.hidden for trial in self.lesson.trials],
+        )
 
     def at(self, donors: IntArray, shift: int = 0) -> FloatArray:
         """Return some of the donors at the frames, or some frames away from them, in mm."""

@@ -6,16 +6,15 @@ whole; the same algebra holds for blocks of samples). A kernel's numbers are rel
 other: the scale of what is regressed does not matter.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy import linalg
-from scipy.spatial.distance import cdist
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 
-MOST_SPREAD = 32
+MOST_SPREAD = 16
 """Inputs at which the posterior's standard deviation is computed; between them, a line."""
 MOST_ASKED = 2000
 """Inputs that are worked on at a time: their covariances with the samples are held in memory."""
@@ -49,27 +48,6 @@ class Kernel:
 
 
 @dataclass(frozen=True, eq=False)
-class Inputs:
-    """Where samples are, or where values are wanted.
-
-    Attributes
-    ----------
-    poses : ndarray, shape (inputs, features)
-    times : ndarray, shape (inputs,)
-        In seconds.
-    """
-
-    poses: FloatArray
-    times: FloatArray
-
-    def __getitem__(self, chosen: IntArray | slice) -> "Inputs":
-        return Inputs(self.poses[chosen], self.times[chosen])
-
-    def __len__(self) -> int:
-        return int(self.times.size)
-
-
-@dataclass(frozen=True, eq=False)
 class Regression:
     """What a kernel makes of the samples.
 
@@ -92,25 +70,87 @@ class Regression:
     left_out_spread: tuple[FloatArray, ...]
 
 
+class Times:
+    """When samples were taken and when values are wanted, which all regressions of a gap share.
+
+    Parameters
+    ----------
+    frames : ndarray of int, shape (samples,)
+        Of the samples.
+    asked : ndarray of int, shape (asked,)
+        Where values are wanted, ascending.
+    rate : float
+        Frames per second (Hz).
+    blocks : sequence of ndarray of int
+        Indices of samples that are left out together.
+    """
+
+    def __init__(
+        self, frames: IntArray, asked: IntArray, rate: float, blocks: Sequence[IntArray]
+    ) -> None:
+        count = frames.size
+        tested = np.unique(np.concatenate(blocks)) if blocks else np.zeros(0, dtype=np.int64)
+        # Those that are left out come last: their part of the inverse is that of a corner alone.
+        self.order = np.concatenate((np.delete(np.arange(count), tested), tested))
+        place = np.empty(count, dtype=np.int64)
+        place[self.order] = np.arange(count)
+        self.tested = int(tested.size)
+        self.blocks = [place[block] - (count - self.tested) for block in blocks]
+        self.parts = [
+            np.arange(first, min(first + MOST_ASKED, asked.size))
+            for first in range(0, asked.size, MOST_ASKED)
+        ]
+        few = np.linspace(0, max(asked.size - 1, 0), min(asked.size, MOST_SPREAD))
+        self.few = np.unique(few.round().astype(np.int64))
+        self._frames = frames[self.order]
+        self._asked = asked
+        self._rate = rate
+        self._known: dict[tuple[Kernel, int], FloatArray] = {}
+        both = np.concatenate((frames, asked))
+        self._longest = int(both.max() - both.min())
+
+    def among(self, kernel: Kernel) -> FloatArray:
+        """Return the temporal covariance of the samples."""
+        return self._covariance(kernel, -1, self._frames)
+
+    def with_part(self, kernel: Kernel, part: int) -> FloatArray:
+        """Return the temporal covariance of a part of the asked frames with the samples."""
+        return self._covariance(kernel, part, self._asked[self.parts[part]])
+
+    def with_few(self, kernel: Kernel) -> FloatArray:
+        """Return that of the few frames where the spread is computed."""
+        return self._covariance(kernel, -2, self._asked[self.few])
+
+    def _covariance(self, kernel: Kernel, which: int, frames: IntArray) -> FloatArray:
+        key = kernel, which
+        if key in self._known:
+            return self._known[key]
+        table = _of_time(kernel, np.arange(self._longest + 1) / self._rate)
+        covariance = table[np.abs(frames[:, None] - self._frames)]
+        if len(self.parts) <= 1:
+            self._known[key] = covariance
+        return covariance
+
+
 def regress(
-    inputs: Inputs,
+    times: Times,
+    poses: FloatArray,
     values: FloatArray,
-    asked: Inputs,
-    blocks: Sequence[IntArray],
+    asked: FloatArray,
     kernels: Sequence[Kernel],
 ) -> list[Regression]:
     """Return what kernels make of the same samples.
 
     Parameters
     ----------
-    inputs : Inputs
-        Where the samples are.
-    values : ndarray, shape (inputs, 3)
+    times : Times
+        When they were taken.
+    poses : ndarray, shape (samples, features)
+        The pose at each.
+    values : ndarray, shape (samples, 3)
         The samples.
-    asked : Inputs
-        Where values are wanted, ascending in time.
-    blocks : sequence of ndarray of int
-        Indices of samples that are left out together.
+    asked : ndarray, shape (asked, features)
+        The pose where values are wanted.
     kernels : sequence of Kernel
         All need a positive noise.
 
@@ -119,125 +159,115 @@ def regress(
     list of Regression
         One per kernel.
     """
-    count = len(inputs)
-    tested = np.unique(np.concatenate(blocks)) if blocks else np.zeros(0, dtype=np.int64)
-    # Those that are left out come last: their part of the inverse is that of a corner alone.
-    order = np.concatenate((np.delete(np.arange(count), tested), tested))
-    place = np.empty(count, dtype=np.int64)
-    place[order] = np.arange(count)
-    inputs = inputs[order]
+    poses = poses[times.order]
     mean: FloatArray = values.mean(axis=0)
-    scales = _scales(inputs)
-    among = _Pairs(inputs, inputs, scales)
-    fits = [_Fit(kernel, among, values[order] - mean) for kernel in kernels]
-    corner = [place[block] - (count - tested.size) for block in blocks]
-    left_out = [fit.left_out(corner, tested.size) for fit in fits]
-    found: list[list[FloatArray]] = [[] for _ in kernels]
-    for part in _parts(asked):
-        pairs = _Pairs(part, inputs, scales)
-        for fit, filled in zip(fits, found, strict=True):
-            filled.append(mean + fit.predict(pairs))
-    at = _few(len(asked))
-    pairs = _Pairs(asked[at], inputs, scales)
+    among = _Pairs(poses, poses)
+    fits = [_Fit(kernel, times, among, values[times.order] - mean) for kernel in kernels]
+    found: list[list[FloatArray]] = [[np.zeros((0, 3))] for _ in kernels]
+    for part, places in enumerate(times.parts):
+        pairs = _Pairs(asked[places], poses, among)
+        for kernel, fit, filled in zip(kernels, fits, found, strict=True):
+            filled.append(mean + fit.predict(pairs, times.with_part(kernel, part)))
+    few = _Pairs(asked[times.few], poses, among)
     return [
         Regression(
-            np.concatenate(filled) if filled else np.zeros((0, 3)),
-            np.interp(np.arange(len(asked)), at, fit.spread(pairs)) if at.size else np.zeros(0),
-            *left,
+            np.concatenate(filled),
+            _between(fit.spread(few, times.with_few(kernel)), times.few, asked.shape[0]),
+            *fit.left_out(times),
         )
-        for fit, filled, left in zip(fits, found, left_out, strict=True)
+        for kernel, fit, filled in zip(kernels, fits, found, strict=True)
     ]
 
 
-@dataclass(frozen=True)
-class _Scales:
-    """Typical size of the poses: mean square, and distance of two."""
-
-    square: float
-    distance: float
-
-
-def _scales(inputs: Inputs) -> _Scales:
-    square = np.einsum("ij,ij->i", inputs.poses, inputs.poses)
-    few = inputs.poses[:: max(1, len(inputs) // 100)]
-    return _Scales(float(np.mean(square)) or 1.0, float(np.median(cdist(inputs.poses, few))) or 1.0)
-
-
 class _Pairs:
-    """What all kernels share of the covariance between inputs and samples."""
+    """Products and distances of poses with those of the samples, relative to typical ones."""
 
-    def __init__(self, inputs: Inputs, samples: Inputs, scales: _Scales) -> None:
-        product = inputs.poses @ samples.poses.T
-        own = np.einsum("ij,ij->i", inputs.poses, inputs.poses)
-        theirs = np.einsum("ij,ij->i", samples.poses, samples.poses)
-        square = np.maximum(own[:, None] + theirs - 2 * product, 0.0)
-        self._product = product / scales.square
-        self._distance = np.sqrt(square) / scales.distance
-        self._elapsed = np.abs(inputs.times[:, None] - samples.times)
-        self._functions: dict[tuple[float, bool], FloatArray] = {}
-        self.square = own / scales.square
+    def __init__(
+        self, poses: FloatArray, samples: FloatArray, among: "_Pairs | None" = None
+    ) -> None:
+        product: FloatArray = poses @ samples.T
+        square: FloatArray = np.einsum("ij,ij->i", poses, poses)
+        theirs = square if among is None else among.square * among.scale
+        distance: FloatArray = square[:, None] - 2 * product
+        distance += theirs
+        np.maximum(distance, 0.0, out=distance)
+        np.sqrt(distance, out=distance)
+        self.scale: float = (float(np.mean(square)) or 1.0) if among is None else among.scale
+        self.typical: float = _typical(distance) if among is None else among.typical
+        self.square: FloatArray = square / self.scale
+        self.product: FloatArray = product
+        self.distance: FloatArray = distance
+        product /= self.scale
+        distance /= self.typical
 
-    def covariance(self, kernel: Kernel) -> FloatArray:
-        scaled = self._distance * np.sqrt(3 / kernel.pose)
-        covariance: FloatArray = (1 + scaled) * np.exp(-scaled)
-        covariance += kernel.linear * self._product
-        for variance, seconds in kernel.temporal:
-            covariance += variance * self._of_time(seconds, smooth=kernel.smooth)
+    def covariance(self, kernel: Kernel, of_time: FloatArray) -> FloatArray:
+        scaled = self.distance * np.sqrt(3 / kernel.pose)
+        covariance: FloatArray = np.exp(-scaled)
+        scaled += 1
+        covariance *= scaled
+        np.multiply(self.product, kernel.linear, out=scaled)
+        covariance += scaled
+        covariance += of_time
         return covariance
-
-    def _of_time(self, seconds: float, *, smooth: bool) -> FloatArray:
-        key = seconds, smooth
-        if key not in self._functions:
-            scaled = self._elapsed * (np.sqrt(5 if smooth else 3) / seconds)
-            polynomial = 1 + scaled + scaled**2 / 3 if smooth else 1 + scaled
-            self._functions[key] = polynomial * np.exp(-scaled)
-        return self._functions[key]
 
 
 class _Fit:
     """The samples' covariance, factorised, and their weights."""
 
-    def __init__(self, kernel: Kernel, among: _Pairs, values: FloatArray) -> None:
+    def __init__(self, kernel: Kernel, times: Times, among: _Pairs, values: FloatArray) -> None:
         self._kernel = kernel
-        covariance = among.covariance(kernel)
+        covariance = among.covariance(kernel, times.among(kernel))
         np.einsum("ii->i", covariance)[:] += kernel.noise
-        self._root = linalg.cholesky(covariance, lower=True, check_finite=False)
+        # Its transpose is the same and in the order of columns, which spares a copy.
+        self._root = linalg.cholesky(covariance.T, lower=True, overwrite_a=True, check_finite=False)
         self._weights = linalg.cho_solve((self._root, True), values, check_finite=False)
 
-    def predict(self, pairs: _Pairs) -> FloatArray:
-        predicted: FloatArray = pairs.covariance(self._kernel) @ self._weights
+    def predict(self, pairs: _Pairs, of_time: FloatArray) -> FloatArray:
+        predicted: FloatArray = pairs.covariance(self._kernel, of_time) @ self._weights
         return predicted
 
-    def spread(self, pairs: _Pairs) -> FloatArray:
+    def spread(self, pairs: _Pairs, of_time: FloatArray) -> FloatArray:
         kernel = self._kernel
-        covariance = pairs.covariance(kernel)
+        covariance = pairs.covariance(kernel, of_time)
         known = linalg.solve_triangular(self._root, covariance.T, lower=True, check_finite=False)
         prior = 1 + sum(variance for variance, _ in kernel.temporal) + kernel.linear * pairs.square
         variance = prior - np.einsum("ij,ij->j", known, known)
         spread: FloatArray = np.sqrt(np.maximum(variance, 0.0) + kernel.noise)
         return spread
 
-    def left_out(
-        self, blocks: Sequence[IntArray], tested: int
-    ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-        first = self._root.shape[0] - tested
-        inverse = linalg.lapack.dpotri(self._root[first:, first:], lower=1)[0] if tested else None
+    def left_out(self, times: Times) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
+        if not times.blocks:
+            return (), ()
+        first = self._root.shape[0] - times.tested
+        inverse, _ = linalg.lapack.dpotri(self._root[first:, first:], lower=1)
         weights = self._weights[first:]
         residuals, spreads = [], []
-        for block in blocks:
-            assert inverse is not None
-            lower = np.tril(inverse[np.ix_(block, block)])
-            covariance = np.linalg.inv(lower + np.tril(lower, -1).T)
-            residuals.append(covariance @ weights[block])
+        for block in times.blocks:
+            # Only the lower triangle is there, and the indices of a block ascend.
+            root = linalg.cholesky(inverse[block[:, None], block], lower=True, check_finite=False)
+            covariance, _ = linalg.lapack.dpotri(root, lower=1)
+            residuals.append(linalg.cho_solve((root, True), weights[block], check_finite=False))
             spreads.append(np.sqrt(np.maximum(np.diagonal(covariance), self._kernel.noise)))
         return tuple(residuals), tuple(spreads)
 
 
-def _parts(asked: Inputs) -> Iterator[Inputs]:
-    for first in range(0, len(asked), MOST_ASKED):
-        yield asked[first : first + MOST_ASKED]
+def _of_time(kernel: Kernel, seconds: FloatArray) -> FloatArray:
+    """Return the covariance of two moments that far apart."""
+    total = np.zeros_like(seconds)
+    for variance, scale in kernel.temporal:
+        scaled = seconds * (np.sqrt(5 if kernel.smooth else 3) / scale)
+        polynomial = 1 + scaled + scaled**2 / 3 if kernel.smooth else 1 + scaled
+        total += variance * polynomial * np.exp(-scaled)
+    return total
 
 
-def _few(count: int) -> IntArray:
-    places = np.linspace(0, max(count - 1, 0), min(count, MOST_SPREAD))
-    return np.unique(places.round().astype(np.int64))
+def _typical(distance: FloatArray) -> float:
+    step = max(1, distance.shape[0] // 100)
+    return float(np.median(distance[::step, ::3])) or 1.0
+
+
+def _between(values: FloatArray, places: IntArray, count: int) -> FloatArray:
+    if not count:
+        return np.zeros(0)
+    filled: FloatArray = np.interp(np.arange(count), places, values)
+    return filled

@@ -9,7 +9,7 @@ from mocapmend_algorithms.alignment import Alignment
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill import gaussian
 from mocapmend_algorithms.fill.case import Case
-from mocapmend_algorithms.fill.gaussian import Inputs, Kernel, Regression
+from mocapmend_algorithms.fill.gaussian import Kernel, Regression
 
 SPREAD_FLOOR_MM = 0.5
 TYPICAL_SPREAD_MM = 5.0
@@ -89,15 +89,12 @@ def regress(case: Case, view: View, kernels: Sequence[Kernel]) -> list[Candidate
     apart = view.nearness * case.donors.distance[frame]
     weights = 1 / (case.donors.spread[frame] ** 2 + 1 + apart**2)
     alignment = case.aligned(frame, weights)
-    inputs = Inputs(
-        _features(case, view, order[: view.donors], frame, weights, alignment),
-        case.frames / case.rate,
-    )
+    poses = _features(case, view, order[: view.donors], frame, weights, alignment)
     fits = gaussian.regress(
-        inputs[: case.samples],
+        case.times,
+        poses[: case.samples],
         alignment[: case.samples].to_local(case.target),
-        inputs[case.samples :],
-        [trial.hidden for trial in case.lesson.trials],
+        poses[case.samples :],
         kernels,
     )
     return [_candidate(case, alignment, fit) for fit in fits]
