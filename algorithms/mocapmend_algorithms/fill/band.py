@@ -3,7 +3,7 @@
 The errors of the trials are taken relative to what a fill says of its own uncertainty (how far the
 pose is from known ones, how far the nearest sample), and to how fast the donors move: a trial
 during standing says little about a gap during a kick. Their quantile is the band (a conformal one,
-as in Vovk, Gammerman and Shafer 2005, but for a factor that 143 public cases asked for).
+as in Vovk, Gammerman and Shafer 2005).
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.fill.case import Case
 
 COVERAGE = 0.9
-INFLATION = 1.07
+INFLATION = 1.0
 LENGTH_POWER = 0.1
 SPEED_POWER = 0.25
 SPEED_FLOOR = 100.0

@@ -126,7 +126,7 @@ class Times:
         if key in self._known:
             return self._known[key]
         table = _of_time(kernel, np.arange(self._longest + 1) / self._rate)
-        covariance = table[np.abs(frames[:, None] - self._frames)]
+        covariance: FloatArray = table[np.abs(frames[:, None] - self._frames)]
         if len(self.parts) <= 1:
             self._known[key] = covariance
         return covariance
