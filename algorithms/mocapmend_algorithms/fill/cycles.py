@@ -64,11 +64,12 @@ def from_cycles(
     first = max(1, int(place.length / ((1 + TOLERANCE) * period)))
     reach = int(TOLERANCE * period)
     nearest_first = np.array(sorted(range(-reach, reach + 1), key=abs))
+    counts = np.concatenate(([0], np.cumsum(seen)))
     found = []
     for direction in (-1, 1):
         wanted = direction * period * np.arange(first, first + MOST_TRIED)
         lags = wanted.round().astype(np.int64)[:, None] + nearest_first
-        complete = _complete(seen, place, lags)
+        complete = _complete(counts, place, lags)
         # What is cut off at the very lag of a period would be matched at a wrong one.
         nearest = np.flatnonzero(complete[:, 0])[:CYCLES_PER_SIDE]
         found += [_fitted(points, place, lags[number, complete[number]]) for number in nearest]
@@ -79,12 +80,13 @@ def from_cycles(
     return values, [lag for _, lag, _ in found], misfit
 
 
-def _complete(seen: BoolArray, place: Place, lags: IntArray) -> BoolArray:
-    """Say at which lags all is seen that is missing in a place, and all beside it."""
-    needed = place.start + np.union1d(place.beside, np.arange(place.length))
-    inside = (lags + needed[0] >= 0) & (lags + needed[-1] < seen.size)
-    complete: BoolArray = np.zeros_like(inside)
-    complete[inside] = seen[lags[inside][:, None] + needed].all(axis=1)
+def _complete(counts: IntArray, place: Place, lags: IntArray) -> BoolArray:
+    """Say at which lags all is seen from the first to the last frame that a place needs."""
+    first = place.start + min(0, int(place.beside[0]))
+    stop = place.start + max(place.length, int(place.beside[-1]) + 1)
+    inside = (lags + first >= 0) & (lags + stop < counts.size)
+    inside[inside] = counts[lags[inside] + stop] - counts[lags[inside] + first] == stop - first
+    complete: BoolArray = inside
     return complete
 
 

@@ -12,6 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.cycles import Place, from_cycles
 from mocapmend_algorithms.fill.params import option
@@ -23,6 +24,7 @@ from mocapmend_algorithms.recording import Recording
 
 BESIDE = 0.1
 """How much beside the gap is compared on each side, as a share of the period."""
+MOST_BESIDE = 20
 LEAST_TESTS = 5
 
 
@@ -112,12 +114,7 @@ class _Filler:
         period = self._period(gap.marker)
         if period is None:
             return "the motion is not periodic: it does not repeat itself closely enough"
-        width = _width(period)
-        near = frames[max(middle - width, 0) : middle + width] - gap.start
-        # Further samples, beyond another gap, belong to another phase.
-        beside = near[(near >= near[near < 0].max(initial=-1) - width)]
-        beside = beside[beside <= near[near >= 0].min(initial=gap.length) + width]
-        place = Place(gap.start, gap.length, beside)
+        place = Place(gap.start, gap.length, _beside(frames - gap.start, gap.length, period))
         points = self._recording.points[:, gap.marker]
         made = from_cycles(points, seen, place, period)
         if made is None:
@@ -184,5 +181,14 @@ class _Filler:
         return calibration, {"self_tests": len(errors), "tested_on": on}
 
 
-def _width(period: float) -> int:
-    return max(2, round(BESIDE * period))
+def _beside(frames: IntArray, length: int, period: float) -> IntArray:
+    """Choose observed frames, counted from the start of a gap, to compare cycles in.
+
+    Frames beyond another gap belong to another phase; more than 20 on a side say no more.
+    """
+    width = max(2, round(BESIDE * period))
+    step = -(-width // MOST_BESIDE)
+    before, after = frames[frames < 0][-width:], frames[frames >= length][:width]
+    before = before[before > before.max(initial=-1) - width]
+    after = after[after < after.min(initial=length) + width]
+    return np.concatenate((before[::-step][::-1], after[::step]))
