@@ -8,12 +8,12 @@ from synthetic import record
 
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.skeleton import (
-    MOST_MARKERS,
     Template,
     match_template,
     parse_template,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 from mocapmend_resources.skeletons import load
 
 TEMPLATES = load()
