@@ -9,6 +9,9 @@ from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
 MOST_FRAMES = 300
+LEAST_FRAMES = 40
+MOST_MEASURED = 3e7
+"""Distances: with many markers fewer frames are looked at, or a crowd would take many seconds."""
 LEAST_TOGETHER = 10
 MOST_MARKERS = 1000
 """All pairs are measured: of more markers, which no body wears, memory could run out."""
@@ -44,8 +47,9 @@ def measure_distances(recording: Recording, progress: Progress) -> Distances:
     Parameters
     ----------
     recording : Recording
-        At most about 300 of its frames are looked at, evenly spread, and at each pair in those
-        where both are seen. Of more than 1000 markers nothing is measured.
+        About 300 of its frames are looked at, evenly spread, fewer where there are more than 300
+        markers; and at each pair in those where both are seen. Of more than 1000 markers nothing
+        is measured.
     progress : Progress
         Called once per marker.
 
@@ -55,8 +59,9 @@ def measure_distances(recording: Recording, progress: Progress) -> Distances:
     """
     markers = recording.markers
     length, spread = np.full((2, markers, markers), np.nan)
-    if markers <= MOST_MARKERS:
-        step = max(1, recording.frames // MOST_FRAMES)
+    if markers <= MOST_MARKERS and recording.frames > 1:
+        affordable = int(np.clip(MOST_MEASURED / max(markers, 1) ** 2, LEAST_FRAMES, MOST_FRAMES))
+        step = max(1, recording.frames // affordable)
         points = recording.points[::step] * recording.mm
         least = max(2, min(LEAST_TOGETHER, points.shape[0] // 4))
         for marker in range(markers - 1):

@@ -9,10 +9,12 @@ from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.skeleton.distances import Distances
 from mocapmend_algorithms.skeleton.model import Segment
 
-MOST_SPREAD_MM = 8.0
+MOST_SPREAD_MM = 10.0
 """Skin slides on a bone by some millimetres, however far apart two markers are."""
 MOST_SPREAD = 0.08
 """Of the distance, for markers close together."""
+FAR_MM = 300.0
+"""Further apart, less is allowed: an arm and a leg may keep their distance through a whole walk."""
 
 
 def looseness(distances: Distances) -> FloatArray:
@@ -26,11 +28,12 @@ def looseness(distances: Distances) -> FloatArray:
     Returns
     -------
     ndarray, shape (markers, markers)
-        The spread as a share of what a rigid pair may have, 8 mm or 8 % of its length: rigid up
-        to 1, infinite where unknown.
+        The spread as a share of what a rigid pair may have: 8 % of its length, but at most 10 mm,
+        and beyond 300 mm less in proportion. Rigid up to 1, infinite where unknown.
     """
     known = distances.known
-    allowed = np.minimum(MOST_SPREAD_MM, MOST_SPREAD * distances.length)
+    far = np.minimum(1.0, FAR_MM / np.maximum(distances.length, 1.0))
+    allowed = np.minimum(MOST_SPREAD_MM * far, MOST_SPREAD * distances.length)
     share: FloatArray = np.full(known.shape, np.inf)
     # Two labels of the same place are rigid.
     share[known] = distances.spread[known] / np.maximum(allowed[known], 1e-9)
