@@ -30,9 +30,8 @@ from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import (
     Skeleton,
-    find_segments,
     match_template,
-    measure_distances,
+    segments_from_distances,
     skeleton_from_distances,
 )
 from mocapmend_resources import skeletons
@@ -74,7 +73,7 @@ def find_skeleton(source: Source, progress: Progress) -> Skeleton:
         return skeleton_from_distances(recording, progress)
     if known.segments:
         return known
-    return replace(known, segments=find_segments(measure_distances(recording, progress)))
+    return replace(known, segments=segments_from_distances(recording, progress))
 
 
 def fill(

@@ -11,7 +11,9 @@ from mocapmend_algorithms.skeleton import (
     Segment,
     Template,
     match_template,
+    measure_distances,
     parse_template,
+    segments_from_distances,
     skeleton_from_distances,
 )
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
@@ -201,6 +203,13 @@ def test_a_crowd_of_markers_is_not_measured_pair_by_pair(markers, source):
     found = skeleton_from_distances(record(points), no_progress)
     assert found.source == source
     assert bool(found.bones) == (source == "distances")
+    assert segments_from_distances(record(points), no_progress) == found.segments
+
+
+def test_a_crowd_of_markers_is_refused_before_it_costs_memory():
+    crowd = record(np.zeros((2, 65_535, 3)))
+    with pytest.raises(ValueError, match="65535"):
+        measure_distances(crowd, no_progress)
 
 
 @pytest.mark.shared

@@ -5,7 +5,10 @@ that keep all their distances.
 """
 
 from mocapmend_algorithms.skeleton.distances import Distances, measure_distances
-from mocapmend_algorithms.skeleton.found import skeleton_from_distances
+from mocapmend_algorithms.skeleton.found import (
+    segments_from_distances,
+    skeleton_from_distances,
+)
 from mocapmend_algorithms.skeleton.model import Bone, Segment, Skeleton
 from mocapmend_algorithms.skeleton.segments import Mate, find_segments, segment_mates
 from mocapmend_algorithms.skeleton.templates import Template, match_template, parse_template
@@ -22,5 +25,6 @@ __all__ = [
     "measure_distances",
     "parse_template",
     "segment_mates",
+    "segments_from_distances",
     "skeleton_from_distances",
 ]

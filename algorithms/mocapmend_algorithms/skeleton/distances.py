@@ -48,18 +48,24 @@ def measure_distances(recording: Recording, progress: Progress) -> Distances:
     ----------
     recording : Recording
         About 300 of its frames are looked at, evenly spread, fewer where there are more than 300
-        markers; and at each pair in those where both are seen. Of more than 1000 markers nothing
-        is measured.
+        markers; and at each pair in those where both are seen.
     progress : Progress
         Called once per marker.
 
     Returns
     -------
     Distances
+
+    Raises
+    ------
+    ValueError
+        If there are more than `MOST_MARKERS`.
     """
     markers = recording.markers
+    if markers > MOST_MARKERS:
+        raise ValueError(f"the distances of {markers} markers are too many to measure")
     length, spread = np.full((2, markers, markers), np.nan)
-    if markers <= MOST_MARKERS and recording.frames > 1:
+    if recording.frames > 1:
         affordable = int(np.clip(MOST_MEASURED / max(markers, 1) ** 2, LEAST_FRAMES, MOST_FRAMES))
         step = max(1, recording.frames // affordable)
         points = recording.points[::step] * recording.mm

@@ -7,8 +7,12 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton.distances import Distances, measure_distances
-from mocapmend_algorithms.skeleton.model import Bone, Skeleton
+from mocapmend_algorithms.skeleton.distances import (
+    MOST_MARKERS,
+    Distances,
+    measure_distances,
+)
+from mocapmend_algorithms.skeleton.model import Bone, Segment, Skeleton
 from mocapmend_algorithms.skeleton.segments import find_segments
 
 SPREAD_FLOOR_MM = 0.6
@@ -42,6 +46,8 @@ def skeleton_from_distances(recording: Recording, progress: Progress) -> Skeleto
         Without bones, and source "none", where nothing keeps its distance or there are more than
         1000 markers. Markers that are hardly seen get no bone.
     """
+    if recording.markers > MOST_MARKERS:
+        return Skeleton("", (), "none")
     distances = measure_distances(recording, progress)
     segments = find_segments(distances)
     home = {marker: number for number, part in enumerate(segments) for marker in part.markers}
@@ -53,6 +59,13 @@ def skeleton_from_distances(recording: Recording, progress: Progress) -> Skeleto
     bones += _spanning_tree(between, home)
     ordered = tuple(sorted(bones))
     return Skeleton("", ordered, "distances" if ordered else "none", segments)
+
+
+def segments_from_distances(recording: Recording, progress: Progress) -> tuple[Segment, ...]:
+    """Find the segments alone; none where there are more than 1000 markers."""
+    if recording.markers > MOST_MARKERS:
+        return ()
+    return find_segments(measure_distances(recording, progress))
 
 
 def _by_cost(distances: Distances) -> list[Bone]:
