@@ -4,11 +4,11 @@ Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from mocapmend import report
+from mocapmend import report, user_templates
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
@@ -28,7 +28,12 @@ from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, fill_within
-from mocapmend_algorithms.skeleton import Skeleton, match_template, skeleton_from_distances
+from mocapmend_algorithms.skeleton import (
+    Skeleton,
+    match_template,
+    segments_from_distances,
+    skeleton_from_distances,
+)
 from mocapmend_resources import skeletons
 
 READ_BACK = "The file was read back: all samples are as they should be."
@@ -36,6 +41,8 @@ READ_BACK = "The file was read back: all samples are as they should be."
 
 def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     """Read a file of any format and find its skeleton.
+
+    The source's warnings also name the user's skeleton templates that are wrong.
 
     Raises
     ------
@@ -45,21 +52,28 @@ def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     source = read_recording(path)
     progress(0.5)
     skeleton = find_skeleton(source, lambda share: progress(0.5 + 0.5 * share))
+    _, complaints = user_templates.load()
+    if complaints:
+        source = replace(source, warnings=(*source.warnings, *complaints))
     progress(1.0)
     return source, skeleton
 
 
 def find_skeleton(source: Source, progress: Progress) -> Skeleton:
-    """Find the bones: the file's own, else by known labels, else by constant distances."""
+    """Find the bones: the file's own, else by known labels, else by constant distances.
+
+    The user's templates come before those that ship with the program where both fit as well.
+    """
     if source.bones:
         return Skeleton(source.kind, source.bones, "file")
     recording = source.recording
-    known = match_template(recording.labels, skeletons.load())
-    if known is not None:
+    own, _ = user_templates.load()
+    known = match_template(recording.labels, (*own, *skeletons.load()))
+    if known is None:
+        return skeleton_from_distances(recording, progress)
+    if known.segments:
         return known
-    if not recording.present.any():
-        return Skeleton("", (), "none")
-    return skeleton_from_distances(recording, progress)
+    return replace(known, segments=segments_from_distances(recording, progress))
 
 
 def fill(

@@ -13,12 +13,30 @@ VARIANTS = [
     ("linear", {}),
     ("cubic", {}),
     ("pchip", {}),
+    ("woltring", {}),
+    ("woltring", {"smoothing": "10"}),
+    ("cyclic", {}),
+    ("cyclic", {"period": "0.3"}),
+    ("linear", {"edges": "hold"}),
+    ("cyclic", {"period": "0.3", "edges": "repeat"}),
     ("kalman", {}),
     ("kalman", {"noise_mm": "5"}),
     ("kalman", {"direction": "causal"}),
     ("kalman", {"direction": "causal", "velocity_interval_ms": "40"}),
 ]
-EDGE_TO_EDGE = [("linear", {}), ("cubic", {}), ("pchip", {}), ("kalman", {})]
+LEAVES_EDGES = [variant for variant in VARIANTS if "edges" not in variant[1]]
+FILLS_ANYTHING = [variant for variant in VARIANTS if variant != ("cyclic", {})]
+"""A period that is given is believed; one that is not must be found first."""
+EDGE_TO_EDGE = [
+    ("linear", {}),
+    ("cubic", {}),
+    ("pchip", {}),
+    ("woltring", {}),
+    ("woltring", {"smoothing": "10"}),
+    ("cyclic", {"period": "0.25"}),
+    ("kalman", {}),
+]
+MILLIMETRES = ("noise_mm", "smoothing")
 UNITS = ["mm", "cm", "m"]
 
 

@@ -7,7 +7,7 @@ from typing import Literal, get_args, get_type_hints
 import pytest
 
 from mocapmend_algorithms.fill.params import option, parse, restore
-from mocapmend_algorithms.fill.registry import METHODS, method, parse_params
+from mocapmend_algorithms.fill.registry import METHODS, method, parse_params, restore_params
 
 
 @dataclasses.dataclass(frozen=True)
@@ -19,8 +19,21 @@ class Example:
     names: tuple[str, ...] = option((), label="Names", text="Whose.")
 
 
+@dataclasses.dataclass(frozen=True)
+class Nothing:
+    """No parameters."""
+
+
 def test_the_methods_and_their_order():
-    assert list(METHODS) == ["constant", "linear", "cubic", "pchip", "kalman"]
+    assert list(METHODS) == [
+        "constant",
+        "linear",
+        "cubic",
+        "pchip",
+        "woltring",
+        "cyclic",
+        "kalman",
+    ]
     for key, entry in METHODS.items():
         assert entry.id == key
         assert entry.label
@@ -29,7 +42,7 @@ def test_the_methods_and_their_order():
 
 
 def test_unknown_methods_are_answered_with_the_list():
-    with pytest.raises(KeyError, match="constant, linear, cubic, pchip, kalman"):
+    with pytest.raises(KeyError, match=", ".join(METHODS)):
         method("magic")
 
 
@@ -103,4 +116,13 @@ def test_wrong_text_is_answered_with_one_sentence(name, text, message):
 
 def test_a_method_without_parameters_says_so():
     with pytest.raises(ValueError, match="the parameters are: none"):
-        parse_params(METHODS["linear"], {"hold": "after"})
+        parse(Nothing, {"hold": "after"})
+
+
+@pytest.mark.parametrize("entry", METHODS.values(), ids=METHODS)
+def test_what_older_files_say_of_parameters_is_understood(entry):
+    # The parameters of version 0.1; those that came later have their defaults.
+    known = {"constant": {"hold": "after"}, "kalman": {"direction": "causal", "noise_mm": None}}
+    made = restore_params(entry, known.get(entry.id, {}))
+    assert made == entry.params(**known.get(entry.id, {}))
+    assert restore_params(entry, dataclasses.asdict(made)) == made

@@ -8,16 +8,21 @@ from synthetic import record
 
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.skeleton import (
-    MOST_MARKERS,
+    Segment,
     Template,
     match_template,
+    measure_distances,
     parse_template,
+    segments_from_distances,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 from mocapmend_resources.skeletons import load
 
 TEMPLATES = load()
-CMU = next(t for t in TEMPLATES if t.name.startswith("CMU"))
+CMU = next(t for t in TEMPLATES if t.name == "CMU, 41 markers")
+JOINTS = next(t for t in TEMPLATES if t.name == "CMU, 31 joints")
+SPORTS = next(t for t in TEMPLATES if t.name.startswith("Qualisys"))
 FULL = next(t for t in TEMPLATES if t.name.endswith("full body"))
 LOWER = next(t for t in TEMPLATES if t.name.endswith("lower body"))
 TINY = Template(
@@ -45,7 +50,9 @@ def joined(bones, markers):
 
 
 @pytest.mark.parametrize(
-    ("template", "markers"), [(CMU, 41), (FULL, 34), (LOWER, 16)], ids=lambda x: str(x)[:20]
+    ("template", "markers"),
+    [(CMU, 41), (JOINTS, 31), (FULL, 34), (LOWER, 16), (SPORTS, 35)],
+    ids=lambda x: str(x)[:20],
 )
 def test_shipped_templates_recognise_themselves_and_join_everything(template, markers):
     assert len(template.required) == len(set(template.required)) == markers
@@ -54,20 +61,22 @@ def test_shipped_templates_recognise_themselves_and_join_everything(template, ma
     assert skeleton.name == template.name
     assert skeleton.source == "template"
     assert joined(skeleton.bones, range(markers))
+    assert [part.name for part in skeleton.segments] == list(template.segments)
+    inside = [marker for part in skeleton.segments for marker in part.markers]
+    assert len(inside) == len(set(inside))
     assert len(set(map(frozenset, skeleton.bones))) == len(skeleton.bones)
 
 
 def test_shipped_templates_are_the_same_left_and_right():
     def mirrored(label):
-        return (
-            re.sub("^[LR]", lambda side: "R" if side[0] == "L" else "L", label)
-            if label[1:] in paired
-            else label
-        )
+        if label[1:] in paired:
+            return "RLrl"["LRlr".index(label[0])] + label[1:]
+        return re.sub("(?<=Waist)[LR]", lambda side: "RL"["LR".index(side[0])], label)
 
     for template in TEMPLATES:
         labels = {label for bone in template.bones for label in bone}
-        paired = {label[1:] for label in labels if "L" + label[1:] in labels}
+        paired = {label[1:] for label in labels if label[0] in "Ll"}
+        paired &= {label[1:] for label in labels if label[0] in "Rr"}
         bones = {frozenset(bone) for bone in template.bones}
         bones = {bone for bone in bones if not bone & {"RBAC", "RBAK"}}
         paired -= {"BAC", "BAK"}
@@ -106,17 +115,43 @@ def test_real_label_sets(shared):
     assert joined(skeleton.bones, range(41))
 
 
+GOOD = {"name": "x", "required": ["A", "B"], "chains": [["A", "B"]]}
+
+
+def test_a_template_names_its_segments():
+    parsed = parse_template({**GOOD, "optional": ["C"], "segments": {"arm": ["A", "C"]}})
+    skeleton = match_template(["s:a", "s:b", "x"], [parsed])
+    assert skeleton.segments == (Segment((0,), "arm"),)
+    skeleton = match_template(["s:C", "s:b", "s:A"], [parsed])
+    assert skeleton.segments == (Segment((0, 2), "arm"),)
+    assert match_template(["a", "b"], [parse_template(GOOD)]).segments == ()
+
+
 @pytest.mark.parametrize(
-    "data",
+    ("change", "why"),
     [
-        {"name": "x", "required": ["A"]},
-        {"name": "x", "required": ["A"], "chains": [["A", "B"]]},
-        {"name": "x", "required": ["A", "B"], "chains": [["A", "B"]], "aliases": {"Q": "C"}},
+        ({"chains": None}, "it has no chains of labels to join"),
+        ({"chains": ["AB"]}, "a chain is not a list of labels"),
+        ({"chains": [["A", 1]]}, "a chain has something else than a label: 1"),
+        ({"name": " "}, "it has no name"),
+        ({"name": 7}, "it has no name"),
+        ({"required": []}, "it requires no labels"),
+        ({"required": "A"}, "required is not a list of labels"),
+        ({"optional": 3}, "optional is not a list of labels"),
+        ({"chains": [["A", "X"], ["B", "W"]]}, "it uses labels that it does not list: W, X"),
+        ({"aliases": {"Q": "C"}}, "it uses labels that it does not list: C"),
+        ({"aliases": {"Q": ["A"]}}, "an alias has something else than a label: ['A']"),
+        ({"aliases": ["Q"]}, "aliases is not a table"),
+        ({"segments": {"arm": ["A", "Z"]}}, "it uses labels that it does not list: Z"),
+        ({"segments": {"arm": "A"}}, "segment arm is not a list of labels"),
+        ({"segments": {"arm": ["A"], "leg": ["B", "A"]}}, "it has labels in two segments: A"),
+        ({"segment": {}, "bones": []}, "it has an unknown key: bones, segment"),
     ],
 )
-def test_broken_templates_are_refused(data):
-    with pytest.raises(ValueError):
-        parse_template(data)
+def test_broken_templates_are_refused(change, why):
+    with pytest.raises(ValueError) as caught:
+        parse_template({**GOOD, **change})
+    assert str(caught.value) == why
 
 
 def test_rigid_bodies_are_found_from_distances():
@@ -128,6 +163,9 @@ def test_rigid_bodies_are_found_from_distances():
     skeleton = skeleton_from_distances(record(points), calls.append)
     assert skeleton.source == "distances"
     assert {(a // 6, b // 6) for a, b in skeleton.bones} == {(0, 0), (1, 1), (2, 2)}
+    assert [part.markers for part in skeleton.segments] == [
+        tuple(range(6 * body, 6 * body + 6)) for body in range(3)
+    ]
     for body in range(3):
         assert joined(skeleton.bones, range(6 * body, 6 * body + 6))
     assert calls == sorted(calls)
@@ -165,6 +203,13 @@ def test_a_crowd_of_markers_is_not_measured_pair_by_pair(markers, source):
     found = skeleton_from_distances(record(points), no_progress)
     assert found.source == source
     assert bool(found.bones) == (source == "distances")
+    assert segments_from_distances(record(points), no_progress) == found.segments
+
+
+def test_a_crowd_of_markers_is_refused_before_it_costs_memory():
+    crowd = record(np.zeros((2, 65_535, 3)))
+    with pytest.raises(ValueError, match="65535"):
+        measure_distances(crowd, no_progress)
 
 
 @pytest.mark.shared

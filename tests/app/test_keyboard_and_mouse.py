@@ -77,8 +77,9 @@ def test_filtering_keeps_the_selection(opened: MainWindow, qtbot: QtBot) -> None
 
 def test_the_wheel_turns_only_a_field_that_has_the_focus(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
-    workspace.repair.step_method(2)
-    fields = [*workspace.repair.findChildren(QAbstractSpinBox), workspace.repair._method]
+    methods = workspace.repair._method
+    methods.setCurrentIndex(methods.findData("kalman"))
+    fields = [*workspace.repair.findChildren(QAbstractSpinBox), methods]
     assert len(fields) == 5
     before = [field.property("value") for field in fields]
     for field in fields:

@@ -8,7 +8,7 @@ the expected error and the band. Where the marker has no donors, time alone is l
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -16,10 +16,15 @@ from mocapmend_algorithms.fill import pose_regression
 from mocapmend_algorithms.fill.band import band
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import LEFT_OPEN, NoDonorsError
+from mocapmend_algorithms.fill.donors import NoDonorsError
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
-from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.fill.model_params import (
+    LEFT_OPEN,
+    ModelEdges,
+    donors_option,
+    model_edges_option,
+)
 from mocapmend_algorithms.fill.pose_regression import Candidate, View
 from mocapmend_algorithms.fill.stack import Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
@@ -61,18 +66,8 @@ ENOUGH = 3 * SIZE.frames
 class AutoParams:
     """Parameters of `auto`."""
 
-    edges: Literal["fill", "leave"] = option(
-        "fill",
-        label="Beginning and end",
-        text="Whether to fill gaps at the beginning and the end of the recording too, from the "
-        "donors alone.",
-    )
-    donors: tuple[str, ...] = option(
-        (),
-        label="Donors",
-        text="Markers that move with this one, by their labels. Automatic: all that are seen "
-        "throughout the gap, weighed by how constant their distance is.",
-    )
+    edges: ModelEdges = model_edges_option()
+    donors: tuple[str, ...] = donors_option("Markers that move with this one")
 
 
 def auto(

@@ -13,7 +13,6 @@ from mocapmend_algorithms.gaps import Gap
 
 MOST_FRAMES = 600
 LEAST_TOGETHER = 3
-LEFT_OPEN = "it is at the beginning or the end, where gaps are to be left open"
 
 
 class NoDonorsError(ValueError):

@@ -1,7 +1,7 @@
 """Interpolation of one marker across a gap: what most programs do by default.
 
-Good below about 0.2 s, poor above. All of these leave gaps at the beginning and the end of a
-recording open.
+Good below about 0.2 s, poor above. Gaps at the beginning and the end of a recording stay open, or
+hold the nearest sample.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,9 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.window import (
+    Edges,
     WindowMethod,
+    edges_option,
     fill_windows,
 )
 from mocapmend_algorithms.gaps import Gap
@@ -36,21 +38,28 @@ class ConstantParams:
         label="Hold the value",
         text="Which value to hold: that before the gap, that after it, or the nearer one.",
     )
+    edges: Edges = edges_option()
 
 
 @dataclass(frozen=True)
 class LinearParams:
-    """`linear` has no parameters."""
+    """Parameters of `linear`."""
+
+    edges: Edges = edges_option()
 
 
 @dataclass(frozen=True)
 class CubicParams:
-    """`cubic` has no parameters."""
+    """Parameters of `cubic`."""
+
+    edges: Edges = edges_option()
 
 
 @dataclass(frozen=True)
 class PchipParams:
-    """`pchip` has no parameters."""
+    """Parameters of `pchip`."""
+
+    edges: Edges = edges_option()
 
 
 def constant(
@@ -58,21 +67,23 @@ def constant(
 ) -> FillResult:
     """Hold the sample before or after the gap; it does not meet the other edge."""
     solve = partial(_constant, hold=params.hold)
-    return fill_windows(recording, gaps, WindowMethod.single(solve, "a constant"), progress)
+    method = WindowMethod.single(solve, "a constant", params.edges)
+    return fill_windows(recording, gaps, method, progress)
 
 
 def linear(
     recording: Recording, gaps: Sequence[Gap], params: LinearParams, progress: Progress, /
 ) -> FillResult:
     """Draw a straight line between the samples at the edges of the gap."""
-    return fill_windows(recording, gaps, WindowMethod.single(_linear, "a straight line"), progress)
+    method = WindowMethod.single(_linear, "a straight line", params.edges)
+    return fill_windows(recording, gaps, method, progress)
 
 
 def cubic(
     recording: Recording, gaps: Sequence[Gap], params: CubicParams, progress: Progress, /
 ) -> FillResult:
     """Draw a cubic spline (not-a-knot) through the samples on both sides of the gap."""
-    method = WindowMethod.single(_cubic, "a cubic curve", reach=SPLINE_REACH, least=4)
+    method = WindowMethod.single(_cubic, "a cubic curve", params.edges, reach=SPLINE_REACH, least=4)
     return fill_windows(recording, gaps, method, progress)
 
 
@@ -80,7 +91,8 @@ def pchip(
     recording: Recording, gaps: Sequence[Gap], params: PchipParams, progress: Progress, /
 ) -> FillResult:
     """Draw a piecewise cubic Hermite curve that keeps the samples' order (Fritsch-Carlson)."""
-    return fill_windows(recording, gaps, WindowMethod.single(_pchip, "a curve"), progress)
+    method = WindowMethod.single(_pchip, "a curve", params.edges)
+    return fill_windows(recording, gaps, method, progress)
 
 
 def _constant(knots: IntArray, values: FloatArray, length: int, *, hold: str) -> FloatArray:

@@ -13,7 +13,7 @@ from mocapmend_algorithms.recording import Recording
 
 DEFAULT_SECONDS = 0.2
 DEFAULT_ERROR_MM = 20.0
-INTERPOLATIONS = ("constant", "linear", "cubic", "pchip")
+INTERPOLATIONS = ("constant", "linear", "cubic", "pchip", "woltring")
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ def fill_within(
     too_long = {
         gap: Unfilled(gap, _length_reason(gap, limit, limits, recording.rate))
         for gap in gaps
-        if limit is not None and gap.length > limit and _concerns(gap, method, recording)
+        if limit is not None and gap.length > limit and _concerns(gap, method, params, recording)
     }
     filled = method.function(
         recording, [gap for gap in gaps if gap not in too_long], params, progress
@@ -114,9 +114,9 @@ def fill_within(
     )
 
 
-def _concerns(gap: Gap, method: Method, recording: Recording) -> bool:
+def _concerns(gap: Gap, method: Method, params: Any, recording: Recording) -> bool:
     # A gap at an edge that the method leaves open anyway: its own reason says more.
-    return method.fills_edges or gap.kind(recording.frames) == "interior"
+    return method.reaches_edges(params) or gap.kind(recording.frames) == "interior"
 
 
 def _doubt(patch: Patch, limits: Limits, recording: Recording) -> str:

@@ -8,7 +8,7 @@ from one edge.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -17,8 +17,14 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.band import band
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import LEFT_OPEN, NoDonorsError
+from mocapmend_algorithms.fill.donors import NoDonorsError
 from mocapmend_algorithms.fill.lessons import Size, Trial
+from mocapmend_algorithms.fill.model_params import (
+    LEFT_OPEN,
+    ModelEdges,
+    donors_option,
+    model_edges_option,
+)
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
@@ -32,44 +38,29 @@ EDGE_SHARE = 0.2
 SIZE = Size()
 ENOUGH = 2 * SIZE.frames
 
-Edges = Literal["fill", "leave"]
-
-
-def _edges() -> Any:
-    return option(
-        "fill",
-        label="Beginning and end",
-        text="Whether to fill gaps at the beginning and the end of the recording too, from one "
-        "side.",
-    )
-
-
-def _labels(text: str) -> Any:
-    return option((), label="Donors", text=f"{text} by their labels. Automatic: the most rigid.")
-
 
 @dataclass(frozen=True)
 class RigidParams:
     """Parameters of `rigid`."""
 
-    edges: Edges = _edges()
-    donors: tuple[str, ...] = _labels("Three or more markers of the same rigid part,")
+    edges: ModelEdges = model_edges_option()
+    donors: tuple[str, ...] = donors_option("Three or more markers of the same rigid part")
 
 
 @dataclass(frozen=True)
 class PatternParams:
     """Parameters of `pattern`."""
 
-    edges: Edges = _edges()
-    donors: tuple[str, ...] = _labels("A marker that moves like this one (of several, their mean),")
+    edges: ModelEdges = model_edges_option()
+    donors: tuple[str, ...] = donors_option("A marker that moves like this one, or several")
 
 
 @dataclass(frozen=True)
 class LocalFrameParams:
     """Parameters of `local-frame`."""
 
-    edges: Edges = _edges()
-    donors: tuple[str, ...] = _labels("Markers that move with this one,")
+    edges: ModelEdges = model_edges_option()
+    donors: tuple[str, ...] = donors_option("Markers that move with this one")
     penalty: float = option(
         1e-4,
         label="Penalty",
@@ -91,7 +82,7 @@ class _Model:
 
 class _Params(Protocol):
     @property
-    def edges(self) -> Edges: ...
+    def edges(self) -> ModelEdges: ...
     @property
     def donors(self) -> tuple[str, ...]: ...
 

@@ -4,7 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mocapmend_algorithms.fill import auto, interpolate, kalman, local_frame, params
+from mocapmend_algorithms.fill import (
+    auto,
+    cyclic,
+    interpolate,
+    kalman,
+    local_frame,
+    params,
+    woltring,
+)
 from mocapmend_algorithms.fill.contract import FillFunction
 
 
@@ -25,7 +33,8 @@ class Method:
     help : str
         What it does and where it fails, for the user.
     fills_edges : bool
-        Whether it fills gaps at the beginning and the end of a recording.
+        Whether it fills gaps at the beginning and the end of a recording by its model. Those
+        without one may have a parameter `edges`.
     """
 
     id: str
@@ -34,6 +43,11 @@ class Method:
     params: type[Any]
     help: str
     fills_edges: bool = False
+
+    def reaches_edges(self, params: Any) -> bool:
+        """Whether gaps at the beginning and the end are filled with these parameters."""
+        edges = getattr(params, "edges", None)
+        return self.fills_edges if edges is None else edges != "leave"
 
 
 _ALL = (
@@ -67,6 +81,25 @@ _ALL = (
         params=interpolate.PchipParams,
         help="A curve that never overshoots the edges of the gap. Safer than the cubic spline on "
         "jittery samples, less exact on smooth motion.",
+    ),
+    Method(
+        id="woltring",
+        label="Woltring, quintic spline",
+        function=woltring.woltring,
+        params=woltring.WoltringParams,
+        help="A quintic spline that first smooths the samples beside the gap, by as much as "
+        "cross-validation says, so that jitter does not swing it. Measured samples stay as they "
+        "are. Good below about 0.2 s; above, it invents motion and may overshoot further than "
+        "the cubic spline.",
+    ),
+    Method(
+        id="cyclic",
+        label="Cyclic",
+        function=cyclic.cyclic,
+        params=cyclic.CyclicParams,
+        help="For gait, pedalling and other motion in cycles: takes the same phase of the "
+        "neighbouring cycles and fits it between the edges of the gap. Good for gaps that span "
+        "much of a cycle, poor where speed or direction change, as in a turn.",
     ),
     Method(
         id="rigid",

@@ -153,6 +153,8 @@ class Calibration:
 def turn(knots: IntArray, values: FloatArray, length: int) -> FloatArray:
     """How much the velocity changes across a window, in length units over the gap.
 
+    Beside a gap that has samples on one side only it is the velocity itself.
+
     Parameters
     ----------
     knots : ndarray of int, shape (knots,)
@@ -168,7 +170,7 @@ def turn(knots: IntArray, values: FloatArray, length: int) -> FloatArray:
     """
     after = int(np.searchsorted(knots, 0))
     first, last = max(after - 4, 0), min(after + 3, knots.size - 1)
-    left, right = after - 1, min(after, knots.size - 1)
+    left, right = max(after - 1, 0), min(after, knots.size - 1)
     ends = [(first, left), (left, right), (right, last)]
     slopes = [(values[b] - values[a]) / (knots[b] - knots[a]) if b > a else None for a, b in ends]
     chord = slopes[1] if slopes[1] is not None else 0.0

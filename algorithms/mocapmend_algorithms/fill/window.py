@@ -7,12 +7,13 @@ measured by self-tests: see `selftest`.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.selftest import (
     Calibration,
     TrialFinder,
@@ -26,6 +27,19 @@ from mocapmend_algorithms.recording import Recording
 
 LEAST_REACH = 4
 """Samples per side that every window holds: the self-tests see the velocity from them."""
+
+Edges = Literal["leave", "hold"]
+"""What happens to gaps at the beginning and the end of a recording."""
+
+
+def edges_option() -> Any:
+    """Make the parameter `edges`, of type `Edges`, of a method that has no model for an edge."""
+    return option(
+        "leave",
+        label="Start and end",
+        text="What to do with a gap at the start or the end of the recording: leave it open, or "
+        "hold the nearest sample over all of it.",
+    )
 
 
 class Solve(Protocol):
@@ -84,6 +98,9 @@ class WindowMethod:
         How many observed samples it looks at on each side.
     least, least_before : int
         How many samples it needs in all and before the gap.
+    edge : Candidate, optional
+        What fills a gap at the beginning or the end of the recording, from the samples of one
+        side; without it such gaps stay open.
     """
 
     candidates: Callable[[FloatArray], Sequence[Candidate]]
@@ -91,14 +108,28 @@ class WindowMethod:
     reach: int = LEAST_REACH
     least: int = 2
     least_before: int = 1
+    edge: Candidate | None = None
 
     @classmethod
     def single(
-        cls, solve: Solve, name: str, *, reach: int = LEAST_REACH, least: int = 2
+        cls, solve: Solve, name: str, edges: Edges, *, reach: int = LEAST_REACH, least: int = 2
     ) -> "WindowMethod":
         """Make a method that has nothing to choose."""
         candidates = (Candidate(solve),)
-        return cls(lambda points: candidates, name, reach=reach, least=least)
+        return cls(
+            lambda points: candidates, name, reach=reach, least=least, edge=edge_candidate(edges)
+        )
+
+
+def edge_candidate(edges: Edges) -> Candidate | None:
+    """Return what fills a gap at the beginning or the end of a recording, as the user chose."""
+    return Candidate(_hold) if edges == "hold" else None
+
+
+def _hold(knots: IntArray, values: FloatArray, length: int) -> FloatArray:
+    """Hold the nearest sample of the only side that has any."""
+    nearest = -1 if knots[0] < 0 else 0
+    return np.repeat(values[[nearest]], length, axis=0)
 
 
 def fill_windows(
@@ -111,7 +142,8 @@ def fill_windows(
     recording : Recording
         Not changed. Samples inside the given gaps are never looked at.
     gaps : sequence of Gap
-        The gaps to fill; those without observed samples on both sides stay open.
+        The gaps to fill; those without observed samples on both sides stay open, unless the
+        method has something for the edges.
     method : WindowMethod
         The window and the function to apply.
     progress : Progress
@@ -176,7 +208,9 @@ class _Filler:
         before = int(np.count_nonzero(knots < 0))
         if not knots.size:
             return "the marker is never seen in this recording"
-        if before in (0, knots.size):
+        if _one_sided(knots):
+            if self._method.edge is not None:
+                return ""
             seen = int(knots[-1] if before else knots[0]) + gap.start + self._recording.first_frame
             side = "after" if before else "before"
             return f"the marker is never seen {side} frame {seen}: this method needs both sides"
@@ -208,7 +242,7 @@ class _Filler:
         return Patch(gap, values, sigma, r90), dict(choice.notes)
 
     def _choose(self, gap: Gap, knots: IntArray) -> _Choice:
-        candidates = self._candidates_for(gap.marker)
+        candidates = self._candidates_for(gap.marker, knots)
         trials = self._finder.find(gap.marker, knots, gap.length)
         if trials is None:
             notes = {"self_tests": 0, "tested_on": "nothing", **candidates[0].notes}
@@ -222,7 +256,9 @@ class _Filler:
         }
         return _Choice(best, calibration, notes)
 
-    def _candidates_for(self, marker: int) -> Sequence[Candidate]:
+    def _candidates_for(self, marker: int, knots: IntArray) -> Sequence[Candidate]:
+        if self._method.edge is not None and _one_sided(knots):
+            return (self._method.edge,)
         if marker not in self._candidates:
             observed = self._observed[:, marker, None]
             points = np.where(observed, self._recording.points[:, marker], np.nan)
@@ -240,3 +276,7 @@ class _Filler:
         errors = np.linalg.norm(filled - truth, axis=2).T
         shape = candidate.shape(knots, length) if candidate.shape else None
         return calibrate(errors, turn(knots, observed, length), trials.disjoint, shape)
+
+
+def _one_sided(knots: IntArray) -> bool:
+    return bool(knots[-1] < 0 or knots[0] >= 0)

@@ -96,6 +96,10 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
             "name": skeleton.name,
             "source": skeleton.source,
             "bones": len(skeleton.bones),
+            "segments": [
+                {"name": part.name, "markers": [recording.labels[m] for m in part.markers]}
+                for part in skeleton.segments
+            ],
         },
     }
 
@@ -152,6 +156,8 @@ def _summary(source: Source, skeleton: Skeleton) -> list[str]:
         stored += f", {source.layout.processor.name}, {_numbers(source.layout)}s"
     found = {"file": "the file's own", "distances": "from constant distances", "none": "none"}
     origin = found.get(skeleton.source, skeleton.name)
+    bones = common.count(len(skeleton.bones), "bone")
+    segments = common.count(len(skeleton.segments), "segment")
     span = f"{recording.frames} ({recording.first_frame}-{last})"
     lines = [
         ("File", str(source.path)),
@@ -163,6 +169,9 @@ def _summary(source: Source, skeleton: Skeleton) -> list[str]:
         ("Analog", f"{len(source.analog_labels)} channels, {source.analog_rate:g} Hz"),
         ("Repairs", _repairs(source)),
         ("Force plates", _plates_in_words(_force_plates(source))),
-        ("Skeleton", f"{origin}, {common.count(len(skeleton.bones), 'bone')}"),
+        (
+            "Skeleton",
+            f"{origin}, {bones} in {segments}" if skeleton.segments else f"{origin}, {bones}",
+        ),
     ]
     return [f"{name + ':':<15}{text}" for name, text in lines]

@@ -109,9 +109,20 @@ class MarkerModel(QAbstractTableModel):
             return self.tr("{0}: never seen in this recording").format(label)
         filled = int(np.diff(self._document.runs(marker, SampleState.FILLED), axis=1).sum())
         longest = max((gap.length for gap in gaps), default=0)
-        return self.tr(
-            "{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled"
-        ).format(label, len(gaps), longest, round(1000.0 * longest / original.rate), filled)
+        tip = self.tr("{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled").format(
+            label, len(gaps), longest, round(1000.0 * longest / original.rate), filled
+        )
+        return f"{tip}\n{segment}" if (segment := self._segment(marker)) else tip
+
+    def _segment(self, marker: int) -> str:
+        """Say with which markers it moves as one."""
+        for part in self._document.skeleton.segments:
+            if marker in part.markers:
+                others = [self._document.names[m] for m in part.markers if m != marker]
+                if others:
+                    text = self.tr("Moves as one with {0}").format(", ".join(others))
+                    return f"{text} ({part.name})" if part.name else text
+        return ""
 
     def _refresh(self) -> None:
         last = self.index(self.rowCount() - 1, len(self._columns) - 1)

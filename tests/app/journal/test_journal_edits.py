@@ -108,7 +108,7 @@ def test_the_layout_is_as_in_the_journals_of_before(small: Document) -> None:
     assert edit.repair is not None
     assert edit.repair.params == LinearParams()
     assert edit.repair.patch.sigma.tolist() == edit.repair.patch.r90.tolist() == [0.5, 0.5, 0.5]
-    assert encode(text, [edit]) == record_of()
+    assert encode(text, [edit]) == record_of(ways=[["linear", {"edges": "leave"}, []]])
 
 
 @pytest.mark.parametrize(
