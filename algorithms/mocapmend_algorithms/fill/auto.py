@@ -58,6 +58,7 @@ CANDIDATES: tuple[tuple[View, tuple[Kernel, ...]], ...] = (
 ALONE = View(frame=0, donors=0, power=1.0, up=0.0, acceleration=0.0)
 """Of a marker without donors: nothing but its own trajectory."""
 PULL = 0.1
+FEW = 6
 SIZE = Size(frames=400, trials=20, judged=10, rest=100)
 ENOUGH = 3 * SIZE.frames
 
@@ -151,7 +152,7 @@ def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, 
 def _candidates(case: Case, progress: Progress) -> list[Candidate]:
     if not len(case.donors):
         return pose_regression.regress(case, ALONE, (TIME, SLOW, QUICK))
-    found = []
+    found = pose_regression.regress(case, ALONE, (TIME, SLOW)) if len(case.donors) < FEW else []
     for done, (view, kernels) in enumerate(CANDIDATES):
         progress(done / len(CANDIDATES))
         found += pose_regression.regress(case, view, kernels)

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import linalg
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 
@@ -215,6 +214,8 @@ class _Fit:
     """The samples' covariance, factorised, and their weights."""
 
     def __init__(self, kernel: Kernel, times: Times, among: _Pairs, values: FloatArray) -> None:
+        from scipy import linalg
+
         self._kernel = kernel
         covariance = among.covariance(kernel, times.among(kernel))
         np.einsum("ii->i", covariance)[:] += kernel.noise
@@ -227,6 +228,8 @@ class _Fit:
         return predicted
 
     def spread(self, pairs: _Pairs, of_time: FloatArray) -> FloatArray:
+        from scipy import linalg
+
         kernel = self._kernel
         covariance = pairs.covariance(kernel, of_time)
         known = linalg.solve_triangular(self._root, covariance.T, lower=True, check_finite=False)
@@ -236,6 +239,8 @@ class _Fit:
         return spread
 
     def left_out(self, times: Times) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
+        from scipy import linalg
+
         if not times.blocks:
             return (), ()
         first = self._root.shape[0] - times.tested

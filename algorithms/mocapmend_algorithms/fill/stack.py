@@ -8,7 +8,6 @@ than its best member; pulling the weights towards prior ones keeps few trials fr
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.optimize import nnls
 
 from mocapmend_algorithms.arrays import FloatArray
 
@@ -49,6 +48,8 @@ class Stack:
         ]
 
     def _solve(self, total: FloatArray, trials: int) -> FloatArray:
+        from scipy.optimize import nnls
+
         # Least squares of the square root, with the sum as one more, heavy equation.
         gram = total / max(trials, 1) + self._pull * np.eye(self._prior.size)
         root = np.linalg.cholesky(gram)

@@ -5,8 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.case import Case
+from mocapmend_algorithms.fill.completion import Completion
 from mocapmend_algorithms.fill.donors import (
     Distances,
     Donors,
@@ -22,6 +23,9 @@ from mocapmend_algorithms.recording import Recording
 LEAST_TOGETHER = 0.5
 KEPT_SHARE = 0.9
 NEARNESS = 0.02
+FEW = 12
+MOSTLY = 0.7
+DOUBT_MM = 20.0
 
 
 class Survey:
@@ -52,6 +56,11 @@ class Survey:
     def distances(self) -> Distances:
         """How the markers move with each other."""
         return Distances(self.points, self.observed)
+
+    @cached_property
+    def completion(self) -> Completion:
+        """What donors lack."""
+        return Completion(self.points, self.observed, self.distances, self.recording.rate)
 
     def donors(self, gap: Gap, labels: Sequence[str], *, at_edges: bool, enough: int) -> Donors:
         """Choose the donors of a gap.
@@ -86,10 +95,14 @@ class Survey:
             wanted = by_label(self.recording.labels, labels)
             check_seen(self.recording.labels, self.observed, gap, wanted, at_edges=at_edges)
             return known[np.isin(known.markers, wanted)]
-        seen = np.logical_and.reduce(self.observed[gap.start : gap.stop])
+        share = self.observed[gap.start : gap.stop].mean(axis=0)[known.markers]
+        seen = share == 1.0
         if at_edges:
-            seen &= edges_seen(self.observed, gap)
-        return self._together(gap, known[seen[known.markers]], enough)
+            seen &= edges_seen(self.observed, gap)[known.markers]
+        elif np.count_nonzero(seen) < FEW:
+            seen |= (share >= MOSTLY) & self._bridged(gap, known.markers)
+            known = Donors(known.markers, known.spread + DOUBT_MM * (1 - share), known.distance)
+        return self._together(gap, known[seen], enough)
 
     def case(self, gap: Gap, donors: Donors, size: Size) -> Case:
         """Collect what a fill of a gap looks at.
@@ -99,7 +112,10 @@ class Survey:
         NoDonorsError
             If the marker and its donors are hardly ever seen together.
         """
-        usable = self.observed[:, gap.marker] & self.observed[:, donors.markers].all(axis=1)
+        usable = self.observed[:, gap.marker].copy()
+        for marker in donors.markers.tolist():
+            usable &= self.completion.known(marker)
+            self.completion.complete(marker)
         lesson = plan(usable, gap, size)
         if lesson.frames.size < 2:
             raise NoDonorsError("the marker and its donors are hardly ever seen together")
@@ -114,13 +130,18 @@ class Survey:
             points=self.points,
         )
 
+    def _bridged(self, gap: Gap, markers: IntArray) -> BoolArray:
+        """Return which markers are seen or bridged throughout a gap."""
+        inside = slice(gap.start, gap.stop)
+        return np.array([self.completion.known(m)[inside].all() for m in markers.tolist()], bool)
+
     def _together(self, gap: Gap, found: Donors, enough: int) -> Donors:
         """Leave out donors without which there are many more frames to learn from."""
         usable = self.observed[:, gap.marker]
         least = LEAST_TOGETHER * np.count_nonzero(usable)
         kept = []
         for place in found.best(len(found), NEARNESS).tolist():
-            both = usable & self.observed[:, found.markers[place]]
+            both = usable & self.completion.known(int(found.markers[place]))
             count = np.count_nonzero(both)
             if count >= min(enough, KEPT_SHARE * np.count_nonzero(usable)) and count >= least:
                 usable = both
