@@ -13,9 +13,11 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.fill.case import Case
+from mocapmend_algorithms.fill.lessons import Trial
 
 COVERAGE = 0.9
-INFLATION = 1.0
+MANY_TRIALS = 0.97
+FEW_TRIALS = 0.5
 LENGTH_POWER = 0.1
 SPEED_POWER = 0.25
 SPEED_FLOOR = 100.0
@@ -74,10 +76,20 @@ def band(
     )
     tried = case.lesson.trials[0].stop - case.lesson.trials[0].start
     longer = max(1.0, case.gap.length / tried) ** LENGTH_POWER
-    scale = INFLATION * longer * spread * hardness[case.samples :]
+    trust = MANY_TRIALS + FEW_TRIALS / _apart(case.lesson.trials)
+    scale = trust * longer * spread * hardness[case.samples :]
     return Band(
         scale * np.sqrt(np.mean(relative**2) / 3), scale * float(np.quantile(relative, COVERAGE))
     )
+
+
+def _apart(trials: Sequence[Trial]) -> int:
+    """Count how many trials do not overlap, greedily."""
+    count, free = 0, -1
+    for trial in trials:
+        if trial.start >= free:
+            count, free = count + 1, trial.stop
+    return count
 
 
 def _hardness(case: Case) -> FloatArray:
