@@ -10,8 +10,6 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.gaps import runs
 
-QUIET = 5
-"""Steps in a running median: what fewer than half of them do is no motion of the body."""
 FASTEST = 0.99
 TIMES_FASTEST = 3.0
 LEAST_STEPS = 20
@@ -28,18 +26,18 @@ def jump_threshold(points: FloatArray) -> FloatArray:
     Returns
     -------
     ndarray, shape (markers,)
-        Three times the 99th percentile of its steps, after a running median that single jumps
-        do not pass, in the unit of the coordinates; infinite for a marker that never moves or is
-        seen for fewer than 20 steps.
+        Three times the 99th percentile of its steps, after a running median of five, which a
+        jump there and back does not pass; in the unit of the coordinates. Infinite for a marker
+        that never moves or is seen for fewer than 20 steps.
     """
     delta = np.full(points.shape[1], np.inf)
     for marker, steps in enumerate(_steps(points).T):
         seen = steps[~np.isnan(steps)]
         if seen.size < LEAST_STEPS:
             continue
-        calm = np.median(np.lib.stride_tricks.sliding_window_view(seen, QUIET), axis=1)
-        fastest = TIMES_FASTEST * float(np.quantile(calm, FASTEST))
-        delta[marker] = fastest or np.inf
+        calm = _median_of_five(seen)
+        at = round(FASTEST * (calm.size - 1))
+        delta[marker] = TIMES_FASTEST * float(np.partition(calm, at)[at]) or np.inf
     return delta
 
 
@@ -99,3 +97,13 @@ def wrong_samples(points: FloatArray, delta: float | FloatArray, longest: int) -
 def _steps(points: FloatArray) -> FloatArray:
     steps: FloatArray = np.linalg.norm(np.diff(points, axis=0), axis=2)
     return steps
+
+
+def _median_of_five(steps: FloatArray) -> FloatArray:
+    """Take a running median: of four the extremes drop out, the fifth joins the other two."""
+    a, b, c, d, e = (steps[at : steps.size - 4 + at] for at in range(5))
+    low = np.maximum(np.minimum(a, b), np.minimum(c, d))
+    high = np.minimum(np.maximum(a, b), np.maximum(c, d))
+    low, high = np.minimum(low, high), np.maximum(low, high)
+    median: FloatArray = np.clip(e, low, high)
+    return median

@@ -1,26 +1,27 @@
 """What a gap is filled from: the frames around it, in the world or in its neighbours' frame.
 
-The first marker of an excerpt is the one with the gap; a few others follow, on which a method can
-be tested where that one is seen too little. In the neighbours' frame their common rigid motion is
+The first marker of an excerpt is the one with the gap; where that is seen too little to test a
+method on it, a few others follow. In the neighbours' frame their common rigid motion is
 taken out ("first analyse the distribution of the markers that are present to exclude non-linear
 motion", L21) and put back afterwards.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from mocapmend_algorithms.alignment import Alignment, align, mean_shape
-from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.neighbours import Distances, Seen
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, runs
 from mocapmend_algorithms.recording import Recording
 
 FRAMES = 1000
 LENGTHS = 6
 STAND_INS = 8
-SHAPE_FRAMES = 300
+ENOUGH_PLACES = 12
+SHAPE_FRAMES = 60
 LEAST_SPREAD = 0.2
 
 
@@ -31,7 +32,7 @@ class Excerpt:
     Attributes
     ----------
     recording : Recording
-        The marker with the gap, then the stand-ins.
+        The marker with the gap, then any stand-ins.
     gap : Gap
         In that recording.
     alignment : Alignment or None
@@ -82,7 +83,8 @@ def cut(
     seen: Seen,
     gap: Gap,
     frames: slice,
-    near: Distances,
+    span: int,
+    near: Callable[[], Distances],
     donors: Sequence[int] = (),
 ) -> Excerpt:
     """Cut an excerpt.
@@ -97,8 +99,10 @@ def cut(
         The gap.
     frames : slice
         See `excerpt_frames`.
-    near : Distances
-        From the gap's marker.
+    span : int
+        How many frames a window covers.
+    near : callable
+        Measures the distances from the gap's marker, where they are needed.
     donors : sequence of int, optional
         Seen together in the missing frames; the excerpt is in their frame. Without them it is in
         the world.
@@ -107,13 +111,15 @@ def cut(
     -------
     Excerpt
     """
-    markers = [gap.marker, *_stand_ins(near, gap.marker, donors)]
+    markers = [gap.marker]
+    if _places(seen(gap.marker)[frames], span) < ENOUGH_PLACES:
+        markers += _stand_ins(near(), gap.marker, donors)
     points = _seen_points(recording, seen, frames, markers)
     missing = slice(gap.start - frames.start, gap.stop - frames.start)
     alignment = None
     if donors:
         group = _seen_points(recording, seen, frames, donors)
-        frame = _align(group, near.spread[list(donors)])
+        frame = _align(group, near().spread[list(donors)])
         points = frame.to_local(points)
         alignment = frame[missing]
     labels = tuple(recording.labels[marker] for marker in markers)
@@ -126,6 +132,11 @@ def cut(
         recording.first_frame + frames.start,
     )
     return Excerpt(part, Gap(0, missing.start, missing.stop), alignment)
+
+
+def _places(seen: BoolArray, span: int) -> int:
+    """Count the windows without a missing sample that do not overlap."""
+    return sum((stop - start) // span for start, stop in runs(seen))
 
 
 def _stand_ins(near: Distances, marker: int, donors: Sequence[int]) -> list[int]:

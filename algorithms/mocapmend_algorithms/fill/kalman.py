@@ -27,7 +27,7 @@ from mocapmend_algorithms.fill.bones import Bones, pull
 from mocapmend_algorithms.fill.constant_velocity import bridge, prediction
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.excerpt import Excerpt, cut, excerpt_frames
-from mocapmend_algorithms.fill.gate import unbelievable, usual_level
+from mocapmend_algorithms.fill.gate import MOST_SAMPLES, unbelievable
 from mocapmend_algorithms.fill.neighbours import choose_donors, named_donors
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.trusted import TrustedSamples
@@ -102,7 +102,7 @@ class KalmanParams:
         unit="mm",
     )
     gate: float = option(
-        8.0,
+        5.0,
         label="Gate",
         text="A single sample beside the gap is not trusted if it lies more than this many "
         "standard deviations from what the filter makes of the others. A large number switches "
@@ -181,8 +181,9 @@ class _Filler:
         if isinstance(donors, str):
             return donors
         frames = excerpt_frames(gap, window, self._recording.frames)
-        near = samples.near(gap.marker)
-        excerpt = cut(self._recording, samples.seen, gap, frames, near, donors)
+        near = partial(samples.near, gap.marker)
+        span = int(np.ptp(window)) + 1 if window.size else gap.length
+        excerpt = cut(self._recording, samples.seen, gap, frames, span, near, donors)
         refused = _refused(excerpt, window - frames.start, self._params.gate)
         if refused.size:
             excerpt = excerpt.without(refused)
@@ -237,13 +238,10 @@ class _Filler:
 def _refused(excerpt: Excerpt, window: IntArray, gate: float) -> IntArray:
     """Return the frames beside the gap that the gate refuses; each side is judged alone."""
     points = excerpt.recording.points[:, 0]
-    level = usual_level(points)
-    refused = []
-    for side in (window[window < excerpt.gap.start], window[window >= excerpt.gap.stop]):
-        known = side[~np.isnan(points[side, 0])]
-        if known.size:
-            refused.append(known[unbelievable(known, points[known], level, gate)])
-    return np.concatenate(refused) if refused else np.empty(0, dtype=np.int64)
+    known = window[~np.isnan(points[window, 0])]
+    before, after = known[known < excerpt.gap.start], known[known >= excerpt.gap.stop]
+    sides = before[-MOST_SAMPLES:], after[:MOST_SAMPLES]
+    return np.concatenate([side[unbelievable(points, side, gate)] for side in sides])
 
 
 def _steps(interval_ms: float | None, rate: float) -> Steps:

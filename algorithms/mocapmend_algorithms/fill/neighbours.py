@@ -11,7 +11,7 @@ from mocapmend_algorithms.recording import Recording
 Seen = Callable[[int], BoolArray]
 """Whether each sample of a marker may be used, shape (frames,)."""
 
-MOST_FRAMES = 300
+MOST_FRAMES = 100
 LEAST_TOGETHER = 10
 DONORS = 4
 LEAST_DONORS = 3
@@ -50,7 +50,7 @@ def distances(points: FloatArray, observed: BoolArray, marker: int) -> Distances
     Parameters
     ----------
     points : ndarray, shape (frames, markers, 3)
-        Coordinates; about 300 of the frames are looked at.
+        Coordinates; about 100 of the frames are looked at.
     observed : ndarray of bool, shape (frames, markers)
         The samples that may be used.
     marker : int
