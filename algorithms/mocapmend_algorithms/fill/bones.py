@@ -3,10 +3,11 @@
 A bone is a pair of markers with nearly constant distance. Each missing point p is moved to the
 least of |p - f|^2 / sigma^2 + sum_b (|p - x_b| - l_b)^2 / s_b^2, where f and sigma are the
 filter's, x_b the other end of a bone where it is seen, l_b its length and s_b the measured spread
-of that. Skin moves by millimetres, so the lengths are not met exactly.
+of that. Skin moves by millimetres, so the lengths are not met exactly; and the bones of one marker
+share its skin, so that s_b^2 is multiplied by their number: n of them count as one.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -26,7 +27,7 @@ class Bones:
     ends : ndarray, shape (frames, bones, 3)
         Where the other ends are; NaN where one is not seen.
     length, spread : ndarray, shape (bones,)
-        Length and its standard deviation, above 0.
+        Length and its measured standard deviation, above 0.
     """
 
     ends: FloatArray
@@ -53,6 +54,7 @@ def pull(values: FloatArray, sigma: FloatArray, bones: Bones) -> tuple[FloatArra
     share : ndarray, shape (frames,)
         By what the standard deviation shrinks, from 0 to 1.
     """
+    bones = replace(bones, spread=bones.spread * np.sqrt(bones.spread.size))
     doubt = np.maximum(sigma, 1e-12 * max(float(np.abs(sigma).max()), NEAREST))[:, None]
     points = values.copy()
     cost = _cost(points, values, doubt, bones)

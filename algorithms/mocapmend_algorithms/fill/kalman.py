@@ -24,10 +24,10 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.bones import Bones, pull
-from mocapmend_algorithms.fill.constant_velocity import bridge, prediction
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.excerpt import Excerpt, cut, excerpt_frames
 from mocapmend_algorithms.fill.gate import MOST_SAMPLES, unbelievable
+from mocapmend_algorithms.fill.kalman_settings import causal, two_sided, velocity_steps
 from mocapmend_algorithms.fill.neighbours import choose_donors, named_donors
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.trusted import TrustedSamples
@@ -37,16 +37,9 @@ from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 REACH = 16
-INTERVALS_MS = (0.0, 25.0, 50.0, 100.0)
-RATIOS = (1.0, 0.01, 0.1, 10.0, 100.0, 1000.0)
-CAUSAL_RATIOS = (1.0, 0.01, 100.0)
-LEAST_RATIO, MOST_RATIO = 1e-6, 1e6
-VELOCITY_LAG_S = 0.1
 MOST_BONES = 4
 LOOSEST_BONE = 0.02
 LEAST_SPREAD_MM = 0.5
-
-Steps = tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -164,14 +157,7 @@ class _Filler:
         self._recording = recording
         self._params = params
         self._samples = TrustedSamples(recording, gaps, params.jump_mm)
-        causal = params.direction == "causal"
-        steps = _steps(params.velocity_interval_ms, recording.rate) if causal else (1,)
-        self._method = WindowMethod(
-            lambda points: _candidates(points, recording, params, steps),
-            "the filter",
-            reach=max(REACH, 4 * max(steps)),
-            least_before=2 if causal else 1,
-        )
+        self._method = _window_method(recording, params)
 
     def fill(self, gap: Gap) -> tuple[Patch, dict[str, Any]] | str:
         """Fill a gap and say how, or why not."""
@@ -244,86 +230,18 @@ def _refused(excerpt: Excerpt, window: IntArray, gate: float) -> IntArray:
     return np.concatenate([side[unbelievable(points, side, gate)] for side in sides])
 
 
-def _steps(interval_ms: float | None, rate: float) -> Steps:
-    intervals = INTERVALS_MS if interval_ms is None else (interval_ms,)
-    return tuple(sorted({max(1, round(ms / 1000 * rate)) for ms in intervals}))
+def _window_method(recording: Recording, params: KalmanParams) -> WindowMethod:
+    rate, mm, noise = recording.rate, recording.mm, params.noise_mm
+    if params.direction == "two-sided":
 
+        def smoothers(points: FloatArray) -> list[Candidate]:
+            return two_sided(points, rate, mm, noise)
 
-def _candidates(
-    points: FloatArray, recording: Recording, params: KalmanParams, steps: Steps
-) -> list[Candidate]:
-    causal = params.direction == "causal"
-    rate = recording.rate
-    # Only the ratio of the two noises matters; the second turns a ratio into millimetres.
-    unit = np.sqrt(process_noise(points, rate) / rate**3) * recording.mm
-    ratios: tuple[float, ...] = CAUSAL_RATIOS if causal else RATIOS
-    if params.noise_mm is not None:
-        ratio = (params.noise_mm / unit) ** 2 if unit > 0 else MOST_RATIO
-        ratios = (float(np.clip(ratio, LEAST_RATIO, MOST_RATIO)),)
-    return [
-        Candidate(
-            partial(_solve, ratio=ratio, step=step, causal=causal),
-            partial(_shape, ratio=ratio, step=step, causal=causal),
-            _notes(params, ratio, unit, step * 1000 / rate),
-        )
-        for step in steps
-        for ratio in ratios
-    ]
+        return WindowMethod(smoothers, "the filter", reach=REACH)
+    steps = velocity_steps(params.velocity_interval_ms, rate)
 
+    def filters(points: FloatArray) -> list[Candidate]:
+        return causal(points, rate, mm, noise, steps)
 
-def _notes(params: KalmanParams, ratio: float, unit: float, interval_ms: float) -> dict[str, Any]:
-    noise = params.noise_mm if params.noise_mm is not None else float(np.sqrt(ratio) * unit)
-    notes: dict[str, Any] = {"noise_mm": noise}
-    if params.direction == "causal":
-        notes["velocity_interval_ms"] = interval_ms
-    return notes
-
-
-def process_noise(points: FloatArray, rate: float) -> float:
-    """Estimate the spectral density of a marker's acceleration.
-
-    Parameters
-    ----------
-    points : ndarray, shape (frames, 3)
-        Its trajectory, NaN where missing.
-    rate : float
-        Frames per second (Hz).
-
-    Returns
-    -------
-    float
-        In length unit^2 / s^3 per axis, from the change of velocity within 0.1 s (var of the
-        second difference over h is 2 q h^3 / 3); 0 where the marker is never seen long enough.
-    """
-    for lag in (max(1, round(VELOCITY_LAG_S * rate)), 1):
-        change = points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag]
-        square = np.sum(change**2, axis=1)
-        square = square[~np.isnan(square)]
-        if square.size:
-            return float(np.mean(square) / 3 * 1.5 * (rate / lag) ** 3)
-    return 0.0
-
-
-def _weights(
-    knots: IntArray, length: int, *, ratio: float, step: int, causal: bool
-) -> tuple[FloatArray, FloatArray]:
-    frames = tuple(knots.tolist())
-    return prediction(frames, length, ratio, step) if causal else bridge(frames, length, ratio)
-
-
-def _solve(
-    knots: IntArray, values: FloatArray, length: int, *, ratio: float, step: int, causal: bool
-) -> FloatArray:
-    weights, _ = _weights(knots, length, ratio=ratio, step=step, causal=causal)
-    after = int(np.searchsorted(knots, 0))
-    first, last = (after - 2, after - 1) if causal else (after - 1, after)
-    slope = (values[last] - values[first]) / (knots[last] - knots[first])
-    # A straight line passes unchanged, so taking one out first costs nothing and saves digits.
-    around = values - values[first] - (knots - knots[first])[:, None] * slope
-    line = values[first] + (np.arange(length) - knots[first])[:, None] * slope
-    filled: FloatArray = weights @ around + line
-    return filled
-
-
-def _shape(knots: IntArray, length: int, *, ratio: float, step: int, causal: bool) -> FloatArray:
-    return _weights(knots, length, ratio=ratio, step=step, causal=causal)[1]
+    reach = max(REACH, 4 * max(steps))
+    return WindowMethod(filters, "the filter", reach=reach, least_before=2)
