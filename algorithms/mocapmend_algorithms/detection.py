@@ -95,7 +95,8 @@ def wrong_samples(points: FloatArray, delta: float | FloatArray, longest: int) -
 
 
 def _steps(points: FloatArray) -> FloatArray:
-    steps: FloatArray = np.linalg.norm(np.diff(points, axis=0), axis=2)
+    moves = np.diff(points, axis=0)
+    steps: FloatArray = np.sqrt(np.einsum("tmk,tmk->tm", moves, moves))
     return steps
 
 

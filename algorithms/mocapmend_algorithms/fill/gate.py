@@ -89,7 +89,8 @@ def _lengths(points: FloatArray, frames: IntArray) -> FloatArray:
 
 def _squares(frames: Frames, windows: FloatArray) -> FloatArray:
     """Return the squared lengths (mean of the axes), shape (..., samples)."""
-    squares: FloatArray = np.mean((_whitener(frames) @ windows) ** 2, axis=-1)
+    white = _whitener(frames) @ windows
+    squares: FloatArray = np.einsum("...k,...k->...", white, white) / white.shape[-1]
     return squares
 
 

@@ -62,7 +62,8 @@ def distances(points: FloatArray, observed: BoolArray, marker: int) -> Distances
     """
     step = max(1, points.shape[0] // MOST_FRAMES)
     together = observed[::step] & observed[::step, [marker]]
-    apart = np.linalg.norm(points[::step] - points[::step, [marker]], axis=2)
+    away = points[::step] - points[::step, [marker]]
+    apart = np.sqrt(np.einsum("tmk,tmk->tm", away, away))
     apart = np.sort(np.where(together, apart, np.inf), axis=0)
     count = together.sum(axis=0)
     known = count >= min(LEAST_TOGETHER, apart.shape[0])

@@ -50,9 +50,8 @@ def run(arguments: argparse.Namespace) -> Table:
     """Repeat the experiment on one or more recordings; figures are medians over them."""
     cases = of_folder(arguments.data) if arguments.data else bundled()
     frames = cases[0].reference.frames
-    title = f"Constant-velocity filter, {len(cases)} recordings of {frames} frames: " + ", ".join(
-        case.name for case in cases
-    )
+    names = ", ".join(case.name for case in cases)
+    title = f"Constant-velocity filter, {frames} frames of {names}"
     outcomes = [_repair(case) for case in cases]
     return Table(
         title,
