@@ -2,6 +2,7 @@
 
 import numpy as np
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.fill.registry import METHODS, parse_params
@@ -20,6 +21,8 @@ VARIANTS = [
     ("linear", {"edges": "hold"}),
     ("cyclic", {"period": "0.3", "edges": "repeat"}),
     ("kalman", {}),
+    ("kalman", {"frame": "world"}),
+    ("kalman", {"bone_pull": "true"}),
     ("kalman", {"noise_mm": "5"}),
     ("kalman", {"direction": "causal"}),
     ("kalman", {"direction": "causal", "velocity_interval_ms": "40"}),
@@ -92,3 +95,14 @@ def broken_recordings(draw):
         unit=draw(st.sampled_from(UNITS)),
         first_frame=draw(st.integers(0, 70_001)),
     )
+
+
+def body_motion(frames, markers, *, seed=0, rate=100.0, skin=3.0):
+    """Markers of one limb: a shape that turns and travels, and skin that moves by millimetres."""
+    rng = np.random.default_rng(seed)
+    shape = rng.uniform(-150, 150, (markers, 3))
+    angles = smooth_motion(frames, 1, seed=seed + 1, rate=rate)[:, 0] / 400
+    travel = smooth_motion(frames, 1, seed=seed + 2, rate=rate)
+    turned = shape @ Rotation.from_rotvec(angles).as_matrix().swapaxes(1, 2)
+    sway = smooth_motion(frames, markers, seed=seed + 3, rate=rate)
+    return turned + travel + skin * sway / np.std(sway)

@@ -134,9 +134,9 @@ _ALL = (
         label="Kalman, constant velocity",
         function=kalman.kalman,
         params=kalman.KalmanParams,
-        help="Carries position and velocity into the gap from both sides, with a band that says "
-        "how sure it is. It looks at one marker alone and cannot know what happened inside a "
-        "gap much longer than 0.2 s.",
+        help="Carries position and velocity into the gap from both sides, relative to the "
+        "neighbouring markers that are seen, and says how sure it is. Where none are, it looks at "
+        "one marker alone and cannot know what happened inside a gap much longer than 0.2 s.",
     ),
     Method(
         id="auto",

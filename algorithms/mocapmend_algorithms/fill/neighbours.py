@@ -1,0 +1,141 @@
+"""The neighbours of a marker: markers whose distance to it varies little."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.recording import Recording
+
+Seen = Callable[[int], BoolArray]
+"""Whether each sample of a marker may be used, shape (frames,)."""
+
+MOST_FRAMES = 100
+LEAST_TOGETHER = 10
+DONORS = 4
+LEAST_DONORS = 3
+"""Fewer have no rotation."""
+LOOSEST = 0.1
+CENTRAL = (0.05, 0.5, 0.95)
+WIDTH_PER_SD = 3.29
+"""Width of the central 90 % of a normal distribution in standard deviations."""
+
+
+@dataclass(frozen=True, eq=False)
+class Distances:
+    """How far the other markers are from one.
+
+    Attributes
+    ----------
+    length : ndarray, shape (markers,)
+        Median distance in the recording's unit; NaN for the marker itself and those that are
+        hardly ever seen together with it.
+    spread : ndarray, shape (markers,)
+        Robust standard deviation of the distance; infinite where `length` is NaN.
+    """
+
+    length: FloatArray
+    spread: FloatArray
+
+    def rigid(self, looseness: float) -> IntArray:
+        """Return the markers whose spread is at most this share of their distance, best first."""
+        order = np.argsort(self.spread, kind="stable")
+        return order[self.spread[order] <= looseness * self.length[order]]
+
+
+def distances(points: FloatArray, observed: BoolArray, marker: int) -> Distances:
+    """Measure the distances of all markers to one.
+
+    Parameters
+    ----------
+    points : ndarray, shape (frames, markers, 3)
+        Coordinates; about 100 of the frames are looked at.
+    observed : ndarray of bool, shape (frames, markers)
+        The samples that may be used.
+    marker : int
+        The one.
+
+    Returns
+    -------
+    Distances
+    """
+    step = max(1, points.shape[0] // MOST_FRAMES)
+    together = observed[::step] & observed[::step, [marker]]
+    away = points[::step] - points[::step, [marker]]
+    apart = np.sqrt(np.einsum("tmk,tmk->tm", away, away))
+    apart = np.sort(np.where(together, apart, np.inf), axis=0)
+    count = together.sum(axis=0)
+    known = count >= min(LEAST_TOGETHER, apart.shape[0])
+    known[marker] = False
+    at = np.clip(np.multiply.outer(CENTRAL, count - 1).round(), 0, None).astype(np.int64)
+    low, middle, high = np.take_along_axis(apart, at, axis=0)
+    length, spread = np.full(known.size, np.nan), np.full(known.size, np.inf)
+    length[known] = middle[known]
+    spread[known] = (high[known] - low[known]) / WIDTH_PER_SD
+    return Distances(length, spread)
+
+
+def choose_donors(near: Distances, needed: IntArray, seen: Seen) -> tuple[int, ...]:
+    """Choose the markers that keep their distance to one best.
+
+    Parameters
+    ----------
+    near : Distances
+        From that marker.
+    needed : ndarray of int
+        Frames in which every donor must be seen.
+    seen : callable
+        See `Seen`.
+
+    Returns
+    -------
+    tuple of int
+        Four markers whose distance varies by at most 10 % (standard deviation), or three; none
+        where there are fewer.
+    """
+    chosen: list[int] = []
+    for other in near.rigid(LOOSEST).tolist():
+        if seen(other)[needed].all():
+            chosen.append(other)
+        if len(chosen) == DONORS:
+            break
+    return tuple(chosen) if len(chosen) >= LEAST_DONORS else ()
+
+
+def named_donors(
+    recording: Recording, labels: Sequence[str], marker: int, needed: IntArray, seen: Seen
+) -> tuple[int, ...] | str:
+    """Find the donors that the user names.
+
+    Parameters
+    ----------
+    recording : Recording
+        Whose markers.
+    labels : sequence of str
+        Their labels; of several markers with one label, the first is meant.
+    marker : int
+        The marker with the gap.
+    needed : ndarray of int
+        Frames in which every donor must be seen.
+    seen : callable
+        See `Seen`.
+
+    Returns
+    -------
+    tuple of int or str
+        The donors, or why they cannot serve.
+    """
+    found = []
+    for label in dict.fromkeys(labels):
+        if label not in recording.labels:
+            return f"the recording has no marker {label}, which is to be a donor"
+        donor = recording.labels.index(label)
+        if donor == marker:
+            return f"the marker {label} cannot be its own donor"
+        missing = needed[~seen(donor)[needed]]
+        if missing.size:
+            frame = int(missing[0]) + recording.first_frame
+            return f"the donor {label} is missing in frame {frame}, in the gap or beside it"
+        found.append(donor)
+    return tuple(found)
