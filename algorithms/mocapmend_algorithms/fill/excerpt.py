@@ -13,7 +13,8 @@ import numpy as np
 
 from mocapmend_algorithms.alignment import Alignment, align, mean_shape
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
-from mocapmend_algorithms.fill.neighbours import Distances, Seen
+from mocapmend_algorithms.fill.donors import Seen
+from mocapmend_algorithms.fill.neighbours import Distances
 from mocapmend_algorithms.gaps import Gap, runs
 from mocapmend_algorithms.recording import Recording
 

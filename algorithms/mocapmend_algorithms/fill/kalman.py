@@ -25,10 +25,11 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.bones import Bones, pull
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.donors import NoDonorsError, by_label, check_seen
 from mocapmend_algorithms.fill.excerpt import Excerpt, cut, excerpt_frames
 from mocapmend_algorithms.fill.gate import MOST_SAMPLES, unbelievable
 from mocapmend_algorithms.fill.kalman_settings import causal, two_sided, velocity_steps
-from mocapmend_algorithms.fill.neighbours import choose_donors, named_donors
+from mocapmend_algorithms.fill.neighbours import choose_donors
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.trusted import TrustedSamples
 from mocapmend_algorithms.fill.window import Candidate, WindowMethod, fill_windows
@@ -163,9 +164,10 @@ class _Filler:
         """Fill a gap and say how, or why not."""
         samples = self._samples
         window = samples.window(gap, self._method.reach)
-        donors = self._donors(gap, window)
-        if isinstance(donors, str):
-            return donors
+        try:
+            donors = self._donors(gap, window)
+        except NoDonorsError as error:
+            return str(error)
         frames = excerpt_frames(gap, window, self._recording.frames)
         near = partial(samples.near, gap.marker)
         span = int(np.ptp(window)) + 1 if window.size else gap.length
@@ -185,17 +187,17 @@ class _Filler:
             notes["distrusted"] = distrusted
         return self._pulled(patch, notes) if self._params.bone_pull else (patch, notes)
 
-    def _donors(self, gap: Gap, window: IntArray) -> tuple[int, ...] | str:
+    def _donors(self, gap: Gap, window: IntArray) -> tuple[int, ...]:
         after = int(np.searchsorted(window, gap.start))
         if self._params.frame == "world" or after in (0, window.size):
             return ()
-        missing, samples = np.arange(gap.start, gap.stop), self._samples
+        seen, labels = self._samples.seen, self._recording.labels
         if not self._params.donors:
-            needed = np.concatenate((window, missing))
-            return choose_donors(samples.near(gap.marker), needed, samples.seen)
-        needed = np.concatenate((window[after - 1 : after + 1], missing))
-        names = self._params.donors
-        return named_donors(self._recording, names, gap.marker, np.sort(needed), samples.seen)
+            needed = np.concatenate((window, np.arange(gap.start, gap.stop)))
+            return choose_donors(self._samples.near(gap.marker), needed, seen)
+        named = by_label(labels, self._params.donors)
+        check_seen(labels, seen, gap, named, at_edges=True)
+        return tuple(named.tolist())
 
     def _distrusted(self, gap: Gap, window: IntArray, refused: IntArray) -> tuple[int, ...]:
         wrong = self._samples.wrong(gap.marker)

@@ -1,15 +1,11 @@
 """The neighbours of a marker: markers whose distance to it varies little."""
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
-from mocapmend_algorithms.recording import Recording
-
-Seen = Callable[[int], BoolArray]
-"""Whether each sample of a marker may be used, shape (frames,)."""
+from mocapmend_algorithms.fill.donors import Seen
 
 MOST_FRAMES = 100
 LEAST_TOGETHER = 10
@@ -101,41 +97,3 @@ def choose_donors(near: Distances, needed: IntArray, seen: Seen) -> tuple[int, .
         if len(chosen) == DONORS:
             break
     return tuple(chosen) if len(chosen) >= LEAST_DONORS else ()
-
-
-def named_donors(
-    recording: Recording, labels: Sequence[str], marker: int, needed: IntArray, seen: Seen
-) -> tuple[int, ...] | str:
-    """Find the donors that the user names.
-
-    Parameters
-    ----------
-    recording : Recording
-        Whose markers.
-    labels : sequence of str
-        Their labels; of several markers with one label, the first is meant.
-    marker : int
-        The marker with the gap.
-    needed : ndarray of int
-        Frames in which every donor must be seen.
-    seen : callable
-        See `Seen`.
-
-    Returns
-    -------
-    tuple of int or str
-        The donors, or why they cannot serve.
-    """
-    found = []
-    for label in dict.fromkeys(labels):
-        if label not in recording.labels:
-            return f"the recording has no marker {label}, which is to be a donor"
-        donor = recording.labels.index(label)
-        if donor == marker:
-            return f"the marker {label} cannot be its own donor"
-        missing = needed[~seen(donor)[needed]]
-        if missing.size:
-            frame = int(missing[0]) + recording.first_frame
-            return f"the donor {label} is missing in frame {frame}, in the gap or beside it"
-        found.append(donor)
-    return tuple(found)

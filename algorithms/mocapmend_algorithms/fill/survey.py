@@ -93,7 +93,13 @@ class Survey:
         known = self.distances.to(gap.marker)
         if labels:
             wanted = by_label(self.recording.labels, labels)
-            check_seen(self.recording.labels, self.observed, gap, wanted, at_edges=at_edges)
+            check_seen(
+                self.recording.labels,
+                lambda marker: self.observed[:, marker],
+                gap,
+                wanted,
+                at_edges=at_edges,
+            )
             return known[np.isin(known.markers, wanted)]
         share = self.observed[gap.start : gap.stop].mean(axis=0)[known.markers]
         seen = share == 1.0
