@@ -60,6 +60,9 @@ ALONE = View(frame=0, donors=0, power=1.0, up=0.0, acceleration=0.0)
 PULL = 0.1
 FEW = 6
 SIZE = Size(frames=400, trials=20, judged=10, rest=100)
+SHORT_S = 0.05
+SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
+"""Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
 ENOUGH = 3 * SIZE.frames
 
 
@@ -120,7 +123,8 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
         raise NoDonorsError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    return survey.case(gap, donors, SIZE)
+    short = gap.length <= SHORT_S * survey.recording.rate
+    return survey.case(gap, donors, SHORT_SIZE if short else SIZE)
 
 
 def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, dict[str, Any]]:
