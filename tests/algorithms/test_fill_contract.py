@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from synthetic import (
     EDGE_TO_EDGE,
+    MODEL_VARIANTS,
     VARIANTS,
     broken_recordings,
     fill_with,
@@ -206,7 +207,7 @@ def test_never_reads_samples_inside_the_gaps():
 
 
 def test_no_method_is_missing_from_the_variants():
-    assert {name for name, _ in VARIANTS} == set(METHODS)
+    assert {name for name, _ in VARIANTS + MODEL_VARIANTS} == set(METHODS)
 
 
 def test_scipy_interpolate_is_not_loaded_at_start():
@@ -218,5 +219,6 @@ def test_scipy_interpolate_is_not_loaded_at_start():
 def test_no_progress_is_accepted():
     gap = Gap(0, 20, 25)
     recording = record(punch(smooth_motion(50, 1), [gap]))
-    for method in METHODS.values():
+    for name in dict(VARIANTS):
+        method = METHODS[name]
         assert method.function(recording, [gap], method.params(), no_progress).patches

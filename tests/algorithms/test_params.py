@@ -20,7 +20,8 @@ class Example:
 
 
 def test_the_methods_and_their_order():
-    assert list(METHODS) == ["constant", "linear", "cubic", "pchip", "kalman"]
+    low_rank = ["pca-r1", "pca-r2", "burke-lasenby"]
+    assert list(METHODS) == ["constant", "linear", "cubic", "pchip", *low_rank, "kalman"]
     for key, entry in METHODS.items():
         assert entry.id == key
         assert entry.label
@@ -29,7 +30,7 @@ def test_the_methods_and_their_order():
 
 
 def test_unknown_methods_are_answered_with_the_list():
-    with pytest.raises(KeyError, match="constant, linear, cubic, pchip, kalman"):
+    with pytest.raises(KeyError, match="constant, linear, cubic, pchip, pca-r1"):
         method("magic")
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mocapmend_algorithms.fill import interpolate, kalman, params
+from mocapmend_algorithms.fill import burke_lasenby, interpolate, kalman, low_rank, params
 from mocapmend_algorithms.fill.contract import FillFunction
 
 
@@ -67,6 +67,37 @@ _ALL = (
         params=interpolate.PchipParams,
         help="A curve that never overshoots the edges of the gap. Safer than the cubic spline on "
         "jittery samples, less exact on smooth motion.",
+    ),
+    Method(
+        id="pca-r1",
+        label="Principal components, all gaps at once",
+        function=low_rank.pca_r1,
+        params=low_rank.PcaR1Params,
+        help="Learns from the complete frames how the markers move together and predicts all "
+        "markers with gaps at once from those without any (Gløersen and Federolf 2016, R1). For "
+        "recordings with few gaps; it learns nothing of postures that no complete frame shows.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pca-r2",
+        label="Principal components, marker by marker",
+        function=low_rank.pca_r2,
+        params=low_rank.PcaR2Params,
+        help="Learns how the markers move together and predicts each marker with gaps from those "
+        "that are seen in them, near ones first (Gløersen and Federolf 2016, R2). Good for gaps "
+        "up to seconds in repetitive motion; poor where a marker's neighbours are missing too.",
+        fills_edges=True,
+    ),
+    Method(
+        id="burke-lasenby",
+        label="Low-dimensional Kalman smoother",
+        function=burke_lasenby.burke_lasenby,
+        params=burke_lasenby.BurkeLasenbyParams,
+        help="Learns from the complete frames in which few directions the whole body moves, and "
+        "follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good "
+        "for one marker in motion like that of the complete frames, poor where several markers "
+        "of a segment are missing.",
+        fills_edges=True,
     ),
     Method(
         id="kalman",
