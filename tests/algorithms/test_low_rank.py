@@ -10,7 +10,8 @@ from synthetic import body_motion, fill_with, punch, record, smooth_motion
 
 from mocapmend.engine import load
 from mocapmend_algorithms import Gap, no_progress
-from mocapmend_algorithms.fill.low_rank import mean_distances, reconstruction
+from mocapmend_algorithms.fill.company import mean_distances, seen_together
+from mocapmend_algorithms.fill.low_rank import reconstruction
 
 FAINT = {"missing_weight": "1e-6", "components": "99.9999"}
 EXACT = [
@@ -115,6 +116,31 @@ def test_mean_distances_leave_out_what_is_missing():
     recording = record(points)
     away = mean_distances(recording, recording.present, 0)
     np.testing.assert_allclose(away, [0.0, 2.0, np.inf])
+
+
+def test_markers_that_are_hardly_seen_are_left_out():
+    observed = np.ones((100, 5), dtype=bool)
+    observed[20:40, 1] = observed[40:, 2] = observed[:99, 4] = False
+    everybody = np.arange(5)
+    markers, frames = seen_together(observed, everybody, 0)
+    assert markers.tolist() == [0, 1, 3]
+    assert frames.tolist() == [*range(20), *range(40, 100)]
+    markers, frames = seen_together(observed, everybody, 2)
+    assert markers.tolist() == [0, 1, 2, 3]
+    assert frames.tolist() == list(range(20))
+    markers, frames = seen_together(observed, everybody, 4)
+    assert frames.tolist() == [99]
+    assert 4 in markers
+
+
+@EVERY
+def test_a_marker_that_is_hardly_seen_does_not_stop_the_others(method):
+    points = body_motion(300, 12)
+    points[5:, 11] = np.nan
+    gaps = [Gap(2, 100, 130)]
+    result = fill_with((method, {}), record(punch(points, gaps)), [*gaps, Gap(11, 5, 300)])
+    assert [p.gap for p in result.patches] == gaps
+    assert "only 5 frames show the marker" in result.unfilled[0].reason
 
 
 @EVERY

@@ -11,7 +11,7 @@ from mocapmend_algorithms.fill.registry import METHODS
 
 EVERY = pytest.mark.parametrize("variant", MODEL_VARIANTS, ids=str)
 MEETING = [v for v in MODEL_VARIANTS if v[1].get("meet_edges") != "false"]
-MILLIMETRES = {"weight_scale_mm": "200", "noise_mm": "0.0316"}
+MILLIMETRES = {"weight_scale_mm": "200", "noise_mm": "0.03"}
 """Parameters that are lengths, and their defaults."""
 GAPS = [Gap(0, 40, 55), Gap(1, 90, 93), Gap(2, 90, 100), Gap(3, 0, 12), Gap(4, 190, 200)]
 
@@ -104,7 +104,7 @@ def test_refuses_where_too_few_frames_are_complete(variant):
     points[9:, 0] = np.nan
     recording = record(points)
     result = fill_with(variant, recording, [Gap(0, 9, 100)])
-    assert "only 9 frames show all" in result.unfilled[0].reason
+    assert "only 9 frames show the marker" in result.unfilled[0].reason
 
 
 @EVERY

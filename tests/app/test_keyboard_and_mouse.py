@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 from mocapmend.settings import RECENT_FILES
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms.fill.registry import METHODS
 
 Open = Callable[[Path], MainWindow]
 LEFT = Qt.MouseButton.LeftButton
@@ -77,7 +78,8 @@ def test_filtering_keeps_the_selection(opened: MainWindow, qtbot: QtBot) -> None
 
 def test_the_wheel_turns_only_a_field_that_has_the_focus(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
-    workspace.repair.step_method(2)
+    methods = list(METHODS)
+    workspace.repair.step_method(methods.index("kalman") - methods.index("cubic"))
     fields = [*workspace.repair.findChildren(QAbstractSpinBox), workspace.repair._method]
     assert len(fields) == 5
     before = [field.property("value") for field in fields]

@@ -16,8 +16,10 @@ Deviations: the backward gain is the textbook's, with the covariance predicted f
 (the published program takes that of the same frame); the first state has the covariance of the
 complete frames and mean 0 (there: 1e12 and a random number), so that the result is the same each
 time; the smoother runs over a gap and the frames around it, not over the whole recording: the
-measurement noise is so small that complete frames a few frames away leave no trace; and the
-residual at the edges is carried into the gap (`meet_edges`).
+measurement noise is so small that complete frames a few frames away leave no trace; markers
+that leave too few frames complete are left out; the process noise is taken from variances (there:
+standard deviations, so that it depends on the unit); and the residual at the edges is carried into
+the gap (`meet_edges`).
 """
 
 from collections.abc import Sequence
@@ -28,6 +30,7 @@ from typing import Any
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.company import LEAST_FRAMES, seen_together, spread
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import (
     EdgeParams,
@@ -36,7 +39,6 @@ from mocapmend_algorithms.fill.edges import (
     obstacle,
     with_edges,
 )
-from mocapmend_algorithms.fill.low_rank import spread
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.punch import fill_with_bands
 from mocapmend_algorithms.fill.walk_smoother import Walk, smooth
@@ -45,7 +47,6 @@ from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
 LEAST_MARKERS = 3
-LEAST_FRAMES = 10
 MOST_FRAMES = 3000
 AROUND = 8
 """Complete frames on each side that the smoother sees; see the deviations."""
@@ -70,7 +71,7 @@ class BurkeLasenbyParams(EdgeParams):
         unit="%",
     )
     noise_mm: float = option(
-        0.0316,
+        0.03,
         label="Measurement noise",
         text="Standard deviation of a measured coordinate. More noise gives smoother postures.",
         minimum=1e-3,
@@ -113,37 +114,64 @@ def _fill(
     *,
     params: BurkeLasenbyParams,
 ) -> FillResult:
-    said: dict[Gap, Modelled | str] = {}
-    for gap in gaps:
-        said[gap] = obstacle(observed, gap, params) or _too_little(observed, gap)
-    wanted = [gap for gap in gaps if not said[gap]]
-    space = _Space.learn(recording, observed, params)
-    if isinstance(space, str):
-        said |= dict.fromkeys(wanted, space)
-    else:
-        sweeps = _sweeps(observed, wanted)
-        for done, (start, stop, among) in enumerate(sweeps):
-            begin, end = done / len(sweeps), (done + 1) / len(sweeps)
-            sweep = _Sweep(recording, observed, space, start, stop)
-            said |= sweep.say(among, part(progress, begin, end))
+    said: dict[Gap, Modelled | str] = {gap: obstacle(observed, gap, params) for gap in gaps}
+    groups = _groups(observed, [gap for gap in gaps if not said[gap]])
+    for done, (markers, complete, among) in enumerate(groups):
+        share = part(progress, done / len(groups), (done + 1) / len(groups))
+        space = _Space.learn(recording, markers, complete, params)
+        if isinstance(space, str):
+            said |= dict.fromkeys(among, space)
+            continue
+        said |= {gap: _too_little(observed, gap, markers) for gap in among}
+        told = [gap for gap in among if not said[gap]]
+        said |= _say(recording, observed, space, told, share)
     progress(1.0)
     return meet_edges(recording, observed, gaps, said, params)
 
 
-def _too_little(observed: BoolArray, gap: Gap) -> str:
-    others = np.count_nonzero(observed[gap.start : gap.stop], axis=1)
+def _groups(observed: BoolArray, gaps: Sequence[Gap]) -> list[tuple[IntArray, IntArray, list[Gap]]]:
+    """Put gaps together that share a space: its markers, its complete frames, the gaps."""
+    seen = np.flatnonzero(observed.any(axis=0))
+    chosen: dict[int, tuple[IntArray, IntArray]] = {}
+    groups: dict[bytes, tuple[IntArray, IntArray, list[Gap]]] = {}
+    for gap in gaps:
+        if gap.marker not in chosen:
+            chosen[gap.marker] = seen_together(observed, seen, gap.marker)
+        markers, complete = chosen[gap.marker]
+        groups.setdefault(markers.tobytes(), (markers, complete, []))[2].append(gap)
+    return list(groups.values())
+
+
+def _say(
+    recording: Recording,
+    observed: BoolArray,
+    space: "_Space",
+    gaps: Sequence[Gap],
+    progress: Progress,
+) -> dict[Gap, Modelled]:
+    said: dict[Gap, Modelled] = {}
+    sweeps = _sweeps(observed, space, gaps)
+    for done, (start, stop, among) in enumerate(sweeps):
+        share = part(progress, done / len(sweeps), (done + 1) / len(sweeps))
+        said |= _Sweep(recording, observed, space, start, stop).say(among, share)
+    return said
+
+
+def _too_little(observed: BoolArray, gap: Gap, markers: IntArray) -> str:
+    others = np.count_nonzero(observed[gap.start : gap.stop, markers], axis=1)
     if np.median(others) < LEAST_MARKERS:
         return (
-            f"fewer than {LEAST_MARKERS} other markers are seen in most of the gap: this method "
-            "has too little to tell the posture by"
+            f"fewer than {LEAST_MARKERS} other markers that are seen often enough are there in "
+            "most of the gap: this method has too little to tell the posture by"
         )
     return ""
 
 
-def _sweeps(observed: BoolArray, gaps: Sequence[Gap]) -> list[tuple[int, int, list[Gap]]]:
+def _sweeps(
+    observed: BoolArray, space: "_Space", gaps: Sequence[Gap]
+) -> list[tuple[int, int, list[Gap]]]:
     """Put gaps of the same frames together: first frame to smooth, last frame + 1, the gaps."""
-    seen = np.flatnonzero(observed.any(axis=0))
-    complete = np.flatnonzero(observed[:, seen].all(axis=1))
+    complete = space.complete
     sweeps: dict[tuple[int, int], list[Gap]] = {}
     for gap in gaps:
         before = int(np.searchsorted(complete, gap.start)) - AROUND
@@ -162,7 +190,9 @@ class _Space:
     Attributes
     ----------
     markers : ndarray of int
-        Those that are seen at all.
+        Those that span it.
+    complete : ndarray of int
+        Frames that show them all.
     mean : ndarray, shape (3 markers,)
         Of the complete frames.
     walk : Walk
@@ -172,22 +202,25 @@ class _Space:
     """
 
     markers: IntArray
+    complete: IntArray
     mean: FloatArray
     walk: Walk
     notes: dict[str, Any]
 
     @classmethod
     def learn(
-        cls, recording: Recording, observed: BoolArray, params: BurkeLasenbyParams
+        cls,
+        recording: Recording,
+        markers: IntArray,
+        complete: IntArray,
+        params: BurkeLasenbyParams,
     ) -> "_Space | str":
         """Find the space; where there is too little to learn from, say so."""
-        markers = np.flatnonzero(observed.any(axis=0))
-        complete = np.flatnonzero(observed[:, markers].all(axis=1))
         pairs = complete[:-1][np.diff(complete) == 1]
         if complete.size < LEAST_FRAMES or not pairs.size:
             return (
-                f"only {complete.size} frames show all markers at once: this method needs "
-                f"{LEAST_FRAMES} running"
+                f"only {complete.size} frames show the marker and those that predict it: this "
+                f"method needs {LEAST_FRAMES} in a row"
             )
         frames = _flat(recording, spread(complete, MOST_FRAMES), markers)
         mean = frames.mean(axis=0)
@@ -201,7 +234,9 @@ class _Space:
         steps = _flat(recording, pairs + 1, markers) - _flat(recording, pairs, markers)
         process = (loadings.T * steps.var(axis=0)) @ loadings + STILL_MM2 * np.eye(kept)
         walk = Walk(loadings, process, params.noise_mm**2, np.diag(spreads[:kept] ** 2))
-        return cls(markers, mean, walk, {"components": kept, "complete_frames": complete.size})
+        return cls(
+            markers, complete, mean, walk, {"components": kept, "complete_frames": complete.size}
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,8 +25,9 @@ Deviations: in step 4 the published program multiplies by all inner products bet
 bases; those off the diagonal change their sign with that of an eigenvector, which is arbitrary,
 so only the diagonal, their mean over all signs, is kept. Step 1 uses all markers that predict, not
 only those without any gap in the recording. R2's overlap is judged gap by gap and not for all gaps
-of a marker together. At most 3000 complete frames are used. The residual at the edges is carried
-into the gap, which the paper does not do (`meet_edges`).
+of a marker together. Where too few frames are complete, the markers that are missing most are left
+out (R1 fills them in further rounds). At most 3000 complete frames are used. The residual at the
+edges is carried into the gap, which the paper does not do (`meet_edges`).
 """
 
 from collections.abc import Sequence
@@ -37,6 +38,12 @@ from typing import Any
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.company import (
+    LEAST_FRAMES,
+    mean_distances,
+    seen_together,
+    spread,
+)
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import (
     EdgeParams,
@@ -52,9 +59,7 @@ from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
 LEAST_HELPERS = 3
-LEAST_FRAMES = 10
 MOST_FRAMES = 3000
-MOST_FOR_DISTANCE = 500
 STILL_MM = 1e-3
 """A coordinate that varies less stands still: its scale is no measure of anything."""
 LEAST_WEIGHT = 1e-9
@@ -168,6 +173,8 @@ class _Group:
         Markers that predict and markers set to zero.
     distances : ndarray, shape (helpers,)
         From the (nearest) missing marker.
+    complete : ndarray of int
+        Frames that show them all.
     gaps : list of Gap
         Of the missing markers.
     few : str
@@ -177,6 +184,7 @@ class _Group:
     helpers: IntArray
     missing: IntArray
     distances: FloatArray
+    complete: IntArray
     gaps: list[Gap]
     few: str
 
@@ -184,15 +192,18 @@ class _Group:
 def _r1(
     recording: Recording, observed: BoolArray, gaps: Sequence[Gap], params: PcaR1Params
 ) -> list[_Group]:
-    seen, whole = observed.any(axis=0), observed.all(axis=0)
-    helpers, missing = np.flatnonzero(whole), np.flatnonzero(seen & ~whole)
-    if not gaps:
-        return []
-    distances = [
-        mean_distances(recording, observed, marker)[helpers] for marker in missing.tolist()
-    ]
-    few = "have no gap at all"
-    return [_Group(helpers, missing, np.min(distances, axis=0), list(gaps), few)]
+    helpers = np.flatnonzero(observed.all(axis=0))
+    rest = np.setdiff1d(np.flatnonzero(observed.any(axis=0)), helpers)
+    groups = []
+    while gaps and rest.size:
+        most_seen = rest[np.argmax(np.count_nonzero(observed[:, rest], axis=0))]
+        missing, complete = seen_together(observed, rest, int(most_seen))
+        rest = np.setdiff1d(rest, missing)
+        away = [mean_distances(recording, observed, marker) for marker in missing.tolist()]
+        among = [gap for gap in gaps if gap.marker in missing]
+        distances = np.min(away, axis=0)[helpers]
+        groups.append(_Group(helpers, missing, distances, complete, among, "have no gap at all"))
+    return groups
 
 
 def _r2(
@@ -211,9 +222,12 @@ def _r2(
         helps = seen & (whole | near) & observed[start:stop].all(axis=0)
         key = marker, helps.tobytes()
         if key not in groups:
-            helpers = np.flatnonzero(helps)
+            candidates = np.append(np.flatnonzero(helps), marker)
+            together, complete = seen_together(observed, candidates, marker)
+            helpers = np.setdiff1d(together, [marker])
             few = "can help (seen throughout the gap, and near or without a gap of their own)"
-            groups[key] = _Group(helpers, np.array([marker]), away[helpers], [], few)
+            missing = np.array([marker])
+            groups[key] = _Group(helpers, missing, away[helpers], complete, [], few)
         groups[key].gaps.append(gap)
     return list(groups.values())
 
@@ -232,7 +246,7 @@ def _fill(
     groups = group(recording, observed, [gap for gap in gaps if not said[gap]], params)
     for done, one in enumerate(groups):
         progress(done / len(groups))
-        basis = _Basis.learn(recording, observed, one, params)
+        basis = _Basis.learn(recording, one, params)
         for gap in one.gaps:
             said[gap] = basis if isinstance(basis, str) else basis.say(recording, observed, gap)
     progress(1.0)
@@ -262,20 +276,17 @@ class _Basis:
     notes: dict[str, Any]
 
     @classmethod
-    def learn(
-        cls, recording: Recording, observed: BoolArray, group: _Group, params: PcaR1Params
-    ) -> "_Basis | str":
+    def learn(cls, recording: Recording, group: _Group, params: PcaR1Params) -> "_Basis | str":
         """Find the components; where there is too little to learn from, say so."""
-        helpers = group.helpers.size
+        helpers, complete = group.helpers.size, group.complete
+        if complete.size < LEAST_FRAMES:
+            return (
+                f"only {complete.size} frames show the marker and those that predict it: this "
+                f"method needs {LEAST_FRAMES}"
+            )
         if helpers < LEAST_HELPERS:
             return f"of the other markers, {helpers} {group.few}: this method needs {LEAST_HELPERS}"
         markers = np.concatenate((group.helpers, group.missing))
-        complete = np.flatnonzero(observed[:, markers].all(axis=1))
-        if complete.size < LEAST_FRAMES:
-            return (
-                f"only {complete.size} frames show all the markers that it needs at once: this "
-                f"method needs {LEAST_FRAMES}"
-            )
         points = recording.points[np.ix_(spread(complete, MOST_FRAMES), markers)]
         points = points - points[:, :helpers].mean(axis=1, keepdims=True)
         flat = points.reshape(points.shape[0], -1)
@@ -337,38 +348,6 @@ def reconstruction(gram: FloatArray, known: int, share: float) -> tuple[FloatArr
     agreement = np.sum(zeroed * full[:known], axis=0)
     coefficients: FloatArray = zeroed * agreement @ full[known:].T
     return coefficients, kept
-
-
-def mean_distances(recording: Recording, observed: BoolArray, marker: int) -> FloatArray:
-    """Measure how far all markers are from one.
-
-    Parameters
-    ----------
-    recording : Recording
-        The recording.
-    observed : ndarray of bool, shape (frames, markers)
-        The samples that may be used.
-    marker : int
-        From which; it is seen at least once.
-
-    Returns
-    -------
-    ndarray, shape (markers,)
-        Mean over about 500 frames in which both are seen, in the recording's unit; infinite where
-        there is none.
-    """
-    frames = spread(np.flatnonzero(observed[:, marker]), MOST_FOR_DISTANCE)
-    points, both = recording.points[frames], observed[frames]
-    away = np.linalg.norm(points - points[:, [marker]], axis=2)
-    total, count = np.where(both, away, 0.0).sum(axis=0), both.sum(axis=0)
-    return np.where(count > 0, total / np.maximum(count, 1), np.inf)
-
-
-def spread(frames: IntArray, most: int) -> IntArray:
-    """Choose at most so many frames, evenly."""
-    if frames.size <= most:
-        return frames
-    return frames[np.linspace(0, frames.size - 1, most).round().astype(np.int64)]
 
 
 def _components(gram: FloatArray) -> tuple[FloatArray, FloatArray]:
