@@ -1,8 +1,8 @@
 """Missing markers by Kalman smoothing in a low-dimensional space.
 
 BL16 = Burke and Lasenby 2016, "Estimating missing marker positions using low dimensional Kalman
-smoothing", Journal of Biomechanics 49(9):1854-1858. Written from the method's description; the
-constants were checked against the authors' published program.
+smoothing", Journal of Biomechanics 49(9):1854-1858. Written anew; the steps and constants are
+those of the first author's published program (MoGapFill, also in pyCGM2).
 
 1. The complete frames, mean removed, span a space by singular value decomposition; as many
    directions are kept as make up 99.75 % of the sum of the singular values.

@@ -2,8 +2,8 @@
 
 GF16 = Gløersen and Federolf 2016, "Predicting missing marker trajectories in human motion data
 using marker intercorrelations", PLoS ONE 11(3):e0152616, and F13 = Federolf 2013, PLoS ONE
-8(10):e78689, whose equation 1 is the reconstruction. Written from the papers; the constants were
-checked against the authors' published program.
+8(10):e78689, whose equation 1 is the reconstruction. Written anew; the steps and constants are
+those of the authors' published program (PredictMissingMarkers, as M. Tits has passed it on).
 
 1. The mean of the markers that predict is subtracted frame by frame (GF16, coordinates that move
    with the subject).
@@ -25,7 +25,8 @@ Deviations: in step 4 the published program multiplies by all inner products bet
 bases; those off the diagonal change their sign with that of an eigenvector, which is arbitrary,
 so only the diagonal, their mean over all signs, is kept. Step 1 uses all markers that predict, not
 only those without any gap in the recording. R2's overlap is judged gap by gap and not for all gaps
-of a marker together. Where too few frames are complete, the markers that are missing most are left
+of a marker together, and where fewer than 3 markers can help by its rule, all that are present
+throughout the gap do. Where too few frames are complete, the markers that are missing most are left
 out (R1 fills them in further rounds). At most 3000 complete frames are used. The residual at the
 edges is carried into the gap, which the paper does not do (`meet_edges`).
 """
@@ -219,13 +220,16 @@ def _r2(
         away = distances[marker]
         near = away <= params.near * np.mean(away[seen])
         start, stop = with_edges(observed, gap)
-        helps = seen & (whole | near) & observed[start:stop].all(axis=0)
+        there: BoolArray = np.asarray(seen & observed[start:stop].all(axis=0))
+        helps: BoolArray = np.asarray(there & (whole | near))
+        if np.count_nonzero(helps) < LEAST_HELPERS:
+            helps = there
         key = marker, helps.tobytes()
         if key not in groups:
             candidates = np.append(np.flatnonzero(helps), marker)
             together, complete = seen_together(observed, candidates, marker)
             helpers = np.setdiff1d(together, [marker])
-            few = "can help (seen throughout the gap, and near or without a gap of their own)"
+            few = "are seen throughout the gap"
             missing = np.array([marker])
             groups[key] = _Group(helpers, missing, away[helpers], complete, [], few)
         groups[key].gaps.append(gap)
