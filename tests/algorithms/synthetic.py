@@ -40,6 +40,15 @@ EDGE_TO_EDGE = [
     ("kalman", {}),
 ]
 MILLIMETRES = ("noise_mm", "smoothing")
+MODEL_VARIANTS = [
+    ("pca-r1", {}),
+    ("pca-r1", {"meet_edges": "false"}),
+    ("pca-r2", {}),
+    ("pca-r2", {"weight_scale_mm": "500"}),
+    ("burke-lasenby", {}),
+    ("burke-lasenby", {"noise_mm": "1"}),
+]
+"""Of the methods that look at other markers; the others' are `VARIANTS`."""
 UNITS = ["mm", "cm", "m"]
 
 
@@ -64,6 +73,16 @@ def smooth_motion(frames, markers, *, seed=0, rate=100.0):
     phase = rng.uniform(0, 2 * np.pi, (markers, 3, 4))
     size = rng.uniform(20, 200, (markers, 3, 4)) / frequency
     return np.sum(size * np.sin(2 * np.pi * frequency * time + phase), axis=3)
+
+
+def body_motion(frames, markers, *, seed=0, modes=3, rate=100.0):
+    """A body of a metre that walks about and bends in a few ways; shape (frames, markers, 3)."""
+    rng = np.random.default_rng(seed)
+    shape = rng.uniform(-500, 500, (markers, 3))
+    bends = rng.normal(0, 0.4, (modes, markers, 3))
+    drive = smooth_motion(frames, modes, seed=seed + 1, rate=rate)[:, :, 0]
+    path = 3 * smooth_motion(frames, 1, seed=seed + 2, rate=rate / 4)
+    return shape + np.einsum("fk,kmc->fmc", drive, bends) + path
 
 
 def punch(points, gaps):

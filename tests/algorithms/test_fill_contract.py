@@ -12,6 +12,7 @@ from synthetic import (
     FILLS_ANYTHING,
     LEAVES_EDGES,
     MILLIMETRES,
+    MODEL_VARIANTS,
     VARIANTS,
     broken_recordings,
     fill_with,
@@ -215,7 +216,7 @@ def test_never_reads_samples_inside_the_gaps():
 
 
 def test_no_method_is_missing_from_the_variants():
-    assert {name for name, _ in VARIANTS} == set(METHODS)
+    assert {name for name, _ in VARIANTS + MODEL_VARIANTS} == set(METHODS)
 
 
 def test_scipy_interpolate_is_not_loaded_at_start():
@@ -228,5 +229,6 @@ def test_no_progress_is_accepted():
     gap = Gap(0, 60, 65)
     wave = np.sin(np.arange(150) / 8)[:, None, None] * [[30.0, 40.0, 50.0]]
     recording = record(punch(wave, [gap]))
-    for method in METHODS.values():
+    for name in dict(VARIANTS):
+        method = METHODS[name]
         assert method.function(recording, [gap], method.params(), no_progress).patches

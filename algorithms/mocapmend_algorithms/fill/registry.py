@@ -6,10 +6,12 @@ from typing import Any
 
 from mocapmend_algorithms.fill import (
     auto,
+    burke_lasenby,
     cyclic,
     interpolate,
     kalman,
     local_frame,
+    low_rank,
     params,
     woltring,
 )
@@ -127,6 +129,37 @@ _ALL = (
         params=local_frame.LocalFrameParams,
         help="Learns from this recording how the marker moves beside its donors, in a frame that "
         "moves with four of them. Follows skin and joints as far as the donors show them.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pca-r1",
+        label="Principal components, all gaps at once",
+        function=low_rank.pca_r1,
+        params=low_rank.PcaR1Params,
+        help="Learns from the complete frames how the markers move together and predicts all "
+        "markers with gaps at once from those without any (Gløersen and Federolf 2016, R1). For "
+        "recordings with few gaps; it learns nothing of postures that no complete frame shows.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pca-r2",
+        label="Principal components, marker by marker",
+        function=low_rank.pca_r2,
+        params=low_rank.PcaR2Params,
+        help="Learns how the markers move together and predicts each marker with gaps from those "
+        "that are seen in them, near ones first (Gløersen and Federolf 2016, R2). Good for gaps "
+        "up to seconds in repetitive motion; poor where a marker's neighbours are missing too.",
+        fills_edges=True,
+    ),
+    Method(
+        id="burke-lasenby",
+        label="Low-dimensional Kalman smoother",
+        function=burke_lasenby.burke_lasenby,
+        params=burke_lasenby.BurkeLasenbyParams,
+        help="Learns from the complete frames in which few directions the whole body moves, and "
+        "follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good "
+        "for one marker in motion like that of the complete frames, poor where several markers "
+        "of a segment are missing.",
         fills_edges=True,
     ),
     Method(
