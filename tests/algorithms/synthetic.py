@@ -75,7 +75,7 @@ def smooth_motion(frames, markers, *, seed=0, rate=100.0):
     return np.sum(size * np.sin(2 * np.pi * frequency * time + phase), axis=3)
 
 
-def body_motion(frames, markers, *, seed=0, modes=3, rate=100.0):
+def bending_body(frames, markers, *, seed=0, modes=3, rate=100.0):
     """A body of a metre that walks about and bends in a few ways; shape (frames, markers, 3)."""
     rng = np.random.default_rng(seed)
     shape = rng.uniform(-500, 500, (markers, 3))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from synthetic import body_motion, fill_with, punch, record, smooth_motion
+from synthetic import bending_body, fill_with, punch, record, smooth_motion
 
 from mocapmend.engine import load
 from mocapmend_algorithms import Gap, no_progress
@@ -36,7 +36,7 @@ def errors(result, points):
 @settings(max_examples=10)
 @given(seed=st.integers(0, 100), start=st.integers(0, 200), length=st.integers(1, 100))
 def test_recovers_motion_of_low_rank_exactly(variant, seed, start, length):
-    points = body_motion(300, 12, seed=seed, modes=2)
+    points = bending_body(300, 12, seed=seed, modes=2)
     # Of motion that is exactly of low rank, Burke and Lasenby's rule drops the last direction.
     points += np.random.default_rng(seed).normal(0, 1e-3, points.shape)
     gaps = [Gap(3, start, start + length), Gap(7, start, start + length)]
@@ -47,7 +47,7 @@ def test_recovers_motion_of_low_rank_exactly(variant, seed, start, length):
 
 @pytest.mark.parametrize("method", ["pca-r1", "pca-r2"])
 def test_a_common_motion_of_all_markers_changes_nothing(method):
-    points, path = body_motion(200, 9), 50 * smooth_motion(200, 1, seed=9)
+    points, path = bending_body(200, 9), 50 * smooth_motion(200, 1, seed=9)
     gaps = [Gap(2, 60, 90), Gap(5, 0, 20)]
     variant = (method, {"meet_edges": "false"})
     here = fill_with(variant, record(punch(points, gaps)), gaps)
@@ -60,7 +60,7 @@ def test_a_common_motion_of_all_markers_changes_nothing(method):
 
 @EVERY
 def test_a_mirrored_and_turned_recording_is_filled_alike(method):
-    points = body_motion(200, 9)
+    points = bending_body(200, 9)
     gaps = [Gap(2, 60, 90), Gap(5, 0, 20)]
     here = fill_with((method, {}), record(punch(points, gaps)), gaps)
     there = fill_with((method, {}), record(punch(-points[:, :, [1, 2, 0]] + 1e3, gaps)), gaps)
@@ -69,7 +69,7 @@ def test_a_mirrored_and_turned_recording_is_filled_alike(method):
 
 
 def test_r1_needs_markers_without_gaps_and_r2_does_not():
-    points = body_motion(400, 12)
+    points = bending_body(400, 12)
     gaps = [Gap(marker, 20 + 30 * marker, 30 + 30 * marker) for marker in range(12)]
     recording = record(punch(points, gaps))
     refused = fill_with(("pca-r1", {}), recording, gaps)
@@ -84,7 +84,7 @@ def test_r1_needs_markers_without_gaps_and_r2_does_not():
 
 
 def test_r2_does_without_markers_that_are_missing_in_the_gap_or_far_and_unsure():
-    points = body_motion(300, 12)
+    points = bending_body(300, 12)
     points[:, 11] += 5000.0
     gaps = [Gap(0, 100, 120), Gap(1, 110, 130), Gap(11, 200, 210)]
     result = fill_with(("pca-r2", {}), record(punch(points, gaps)), gaps)
@@ -135,7 +135,7 @@ def test_markers_that_are_hardly_seen_are_left_out():
 
 @EVERY
 def test_a_marker_that_is_hardly_seen_does_not_stop_the_others(method):
-    points = body_motion(300, 12)
+    points = bending_body(300, 12)
     points[5:, 11] = np.nan
     gaps = [Gap(2, 100, 130)]
     result = fill_with((method, {}), record(punch(points, gaps)), [*gaps, Gap(11, 5, 300)])
@@ -145,7 +145,7 @@ def test_a_marker_that_is_hardly_seen_does_not_stop_the_others(method):
 
 @EVERY
 def test_helps_more_than_a_straight_line(method):
-    points = body_motion(600, 14, modes=4) + np.random.default_rng(2).normal(0, 0.5, (600, 14, 3))
+    points = bending_body(600, 14, modes=4) + np.random.default_rng(2).normal(0, 0.5, (600, 14, 3))
     gaps = [Gap(4, 200, 320)]
     recording = record(punch(points, gaps))
     model = errors(fill_with((method, {}), recording, gaps), points)
@@ -157,7 +157,7 @@ def test_helps_more_than_a_straight_line(method):
 def test_the_band_holds_about_what_it_says(method):
     inside = []
     for seed in range(6):
-        points = body_motion(900, 10, seed=seed, modes=12)
+        points = bending_body(900, 10, seed=seed, modes=12)
         points += np.random.default_rng(seed).normal(0, 1.0, points.shape)
         gaps = [Gap(2, 300, 360), Gap(6, 310, 350), Gap(8, 700, 730)]
         result = fill_with((method, {}), record(punch(points, gaps)), gaps)
@@ -170,7 +170,7 @@ def test_the_band_holds_about_what_it_says(method):
 def test_a_long_recording_of_many_markers_needs_little_memory(method):
     import tracemalloc
 
-    points = np.tile(body_motion(500, 40), (40, 1, 1))
+    points = np.tile(bending_body(500, 40), (40, 1, 1))
     gaps = [Gap(3, 9000, 9500), Gap(8, 100, 150), Gap(9, 100, 150)]
     recording = record(punch(points, gaps))
     tracemalloc.start()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from synthetic import MODEL_VARIANTS, body_motion, broken_recordings, fill_with, punch, record
+from synthetic import MODEL_VARIANTS, bending_body, broken_recordings, fill_with, punch, record
 
 from mocapmend_algorithms import Cancelled, Gap, find_gaps
 from mocapmend_algorithms.fill.registry import METHODS
@@ -20,7 +20,7 @@ GAPS = [Gap(0, 40, 55), Gap(1, 90, 93), Gap(2, 90, 100), Gap(3, 0, 12), Gap(4, 1
 def broken_bodies(draw):
     """Recordings of some markers with missing runs that start and end anywhere."""
     frames, markers = draw(st.integers(20, 120)), draw(st.integers(4, 9))
-    points = body_motion(frames, markers, seed=draw(st.integers(0, 1000)))
+    points = bending_body(frames, markers, seed=draw(st.integers(0, 1000)))
     points *= draw(st.sampled_from([0.0, 1e-3, 1.0, 1e3]))
     points += draw(st.sampled_from([0.0, 1e6]))
     for _ in range(draw(st.integers(1, 6))):
@@ -70,7 +70,7 @@ def test_is_deterministic_and_each_gap_stands_alone(variant, recording, data):
 
 @EVERY
 def test_the_same_input_gives_the_same_bytes(variant):
-    recording = record(punch(body_motion(200, 9), GAPS))
+    recording = record(punch(bending_body(200, 9), GAPS))
     first, second = (fill_with(variant, recording, GAPS).patches for _ in range(2))
     assert len(first) == len(GAPS)
     for patch, same in zip(first, second, strict=True):
@@ -92,7 +92,7 @@ def test_survives_almost_empty_recordings(variant, points):
 @pytest.mark.parametrize("markers", [1, 2, 3])
 def test_refuses_where_too_few_markers_help(variant, markers):
     gap = Gap(0, 50, 60)
-    recording = record(punch(body_motion(100, markers), [gap]))
+    recording = record(punch(bending_body(100, markers), [gap]))
     result = fill_with(variant, recording, [gap])
     (left,) = result.unfilled
     assert "other markers" in left.reason
@@ -100,7 +100,7 @@ def test_refuses_where_too_few_markers_help(variant, markers):
 
 @EVERY
 def test_refuses_where_too_few_frames_are_complete(variant):
-    points = body_motion(100, 8)
+    points = bending_body(100, 8)
     points[9:, 0] = np.nan
     recording = record(points)
     result = fill_with(variant, recording, [Gap(0, 9, 100)])
@@ -109,7 +109,7 @@ def test_refuses_where_too_few_frames_are_complete(variant):
 
 @EVERY
 def test_reports_progress_and_lets_itself_be_cancelled(variant):
-    recording = record(punch(body_motion(200, 9), GAPS))
+    recording = record(punch(bending_body(200, 9), GAPS))
     calls = []
     fill_with(variant, recording, GAPS, calls.append)
     assert calls == sorted(calls)
@@ -126,7 +126,7 @@ def test_reports_progress_and_lets_itself_be_cancelled(variant):
 
 @EVERY
 def test_never_looks_into_a_gap_that_it_is_given(variant):
-    points = body_motion(200, 9)
+    points = bending_body(200, 9)
     hidden = fill_with(variant, record(punch(points, GAPS)), GAPS).patches
     for gap in GAPS:
         points[gap.start : gap.stop, gap.marker] += 100.0
@@ -138,7 +138,7 @@ def test_never_looks_into_a_gap_that_it_is_given(variant):
 
 @EVERY
 def test_moves_with_the_recording(variant):
-    points = punch(body_motion(200, 9), GAPS)
+    points = punch(bending_body(200, 9), GAPS)
     here = fill_with(variant, record(points), GAPS)
     moved = record(2 * points[:, :, [2, 0, 1]] + [300.0, -20.0, 7.0])
     known = MILLIMETRES | variant[1]
@@ -156,7 +156,7 @@ def test_moves_with_the_recording(variant):
 
 @EVERY
 def test_the_unit_of_length_does_not_matter(variant):
-    points = punch(body_motion(200, 9), GAPS)
+    points = punch(bending_body(200, 9), GAPS)
     millimetres = fill_with(variant, record(points), GAPS)
     metres = fill_with(variant, record(points / 1000, unit="m"), GAPS)
     for a, b in zip(millimetres.patches, metres.patches, strict=True):
@@ -167,7 +167,7 @@ def test_the_unit_of_length_does_not_matter(variant):
 @pytest.mark.parametrize("variant", MEETING, ids=str)
 def test_meets_the_samples_beside_the_gap(variant):
     rate = 1000.0
-    points = body_motion(800, 9, rate=rate)
+    points = bending_body(800, 9, rate=rate)
     points[:, 0] += 30.0 * np.sin(np.arange(800) / 300)[:, None]
     gaps = [Gap(0, 300, 500), Gap(1, 0, 150), Gap(2, 700, 800)]
     step = 3 * np.abs(np.diff(points, axis=0)).max()
@@ -181,7 +181,7 @@ def test_meets_the_samples_beside_the_gap(variant):
 
 @EVERY
 def test_the_edges_of_a_recording_are_filled_or_left_as_the_user_wishes(variant):
-    points = punch(body_motion(200, 9), GAPS)
+    points = punch(bending_body(200, 9), GAPS)
     points[:, 8] = np.nan
     recording = record(points)
     gaps = find_gaps(recording.present)

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from synthetic import body_motion, punch, record
+from synthetic import bending_body, punch, record
 
 from mocapmend_algorithms import Gap, no_progress
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
@@ -38,11 +38,11 @@ def constant_error(gap):
 @pytest.fixture
 def points():
     # Every posture comes again, so none is stranger than another.
-    return np.tile(body_motion(100, 6), (6, 1, 1))
+    return np.tile(bending_body(100, 6), (6, 1, 1))
 
 
 def test_a_constant_error_is_measured():
-    points = np.tile(body_motion(1, 6), (600, 1, 1))
+    points = np.tile(bending_body(1, 6), (600, 1, 1))
     gaps = [Gap(1, 200, 220), Gap(3, 210, 240), Gap(4, 0, 15)]
     fill = Liar(points, constant_error)
     result = fill_with_bands(record(punch(points, gaps)), gaps, fill, no_progress)
@@ -111,7 +111,7 @@ def test_gaps_too_long_for_the_recording_are_tested_with_shorter_ones(points):
 
 
 def test_nothing_is_said_where_nothing_can_be_tested():
-    points = body_motion(12, 6)
+    points = bending_body(12, 6)
     gaps = [Gap(1, 1, 11)]
     result = fill_with_bands(
         record(punch(points, gaps)), gaps, Liar(points, constant_error), no_progress
