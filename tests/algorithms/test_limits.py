@@ -46,7 +46,7 @@ def outcome(method, limits, *, gaps=GAPS, unit="mm"):
 
 
 @pytest.mark.parametrize(
-    "method_id", ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
+    "method_id", ["constant", "linear", "cubic", "pchip", "woltring"]
 )
 def test_by_default_interpolation_stops_at_a_fifth_of_a_second(method_id):
     asked = []

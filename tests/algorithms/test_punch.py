@@ -8,9 +8,10 @@ from synthetic import bending_body, punch, record
 
 from mocapmend_algorithms import Gap, no_progress
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.edges import observed_samples, sides
+from mocapmend_algorithms.fill.edges import sides
 from mocapmend_algorithms.fill.novelty import Novelty
 from mocapmend_algorithms.fill.punch import Window, fill_with_bands, find_places, measure
+from mocapmend_algorithms.gaps import seen_outside
 
 
 class Liar:
@@ -59,7 +60,7 @@ def test_the_company_of_the_gap_is_hidden_too(points):
     gaps = [Gap(1, 200, 220), Gap(3, 190, 210)]
     fill = Liar(points, constant_error)
     recording = record(punch(points, gaps))
-    observed = observed_samples(recording, gaps)
+    observed = seen_outside(recording.present, gaps)
     measure(recording, observed, Window.of(observed, gaps[0]), [1], fill, no_progress)
     for hidden, asked in fill.asked:
         for gap in asked:
@@ -93,7 +94,7 @@ def test_no_run_hides_more_than_a_quarter_and_the_stretches_are_disjoint(points)
 def test_places_avoid_frames_where_others_are_missing(points):
     gaps = [Gap(1, 200, 210), Gap(0, 300, 500)]
     recording = record(punch(points, gaps))
-    observed = observed_samples(recording, gaps)
+    observed = seen_outside(recording.present, gaps)
     places, length = find_places(observed, Window.of(observed, gaps[0]), np.array([1]))
     assert length == 10
     assert not ((places > 290) & (places < 500)).any()

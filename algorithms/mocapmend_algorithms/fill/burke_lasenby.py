@@ -29,8 +29,8 @@ from typing import Any
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
-from mocapmend_algorithms.fill.company import LEAST_FRAMES, seen_together, spread
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
+from mocapmend_algorithms.fill.company import LEAST_FRAMES, seen_together
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import (
     EdgeParams,
@@ -222,7 +222,7 @@ class _Space:
                 f"only {complete.size} frames show the marker and those that predict it: this "
                 f"method needs {LEAST_FRAMES} in a row"
             )
-        frames = _flat(recording, spread(complete, MOST_FRAMES), markers)
+        frames = _flat(recording, evenly(complete, MOST_FRAMES), markers)
         mean = frames.mean(axis=0)
         around = frames - mean
         values, vectors = np.linalg.eigh(around.T @ around / frames.shape[0])
@@ -230,7 +230,7 @@ class _Space:
         enough = np.cumsum(spreads) <= params.components / 100 * spreads.sum()
         kept = max(int(np.count_nonzero(enough)), 1)
         loadings: FloatArray = vectors[:, ::-1][:, :kept]
-        pairs = spread(pairs, MOST_FRAMES)
+        pairs = evenly(pairs, MOST_FRAMES)
         steps = _flat(recording, pairs + 1, markers) - _flat(recording, pairs, markers)
         process = (loadings.T * steps.var(axis=0)) @ loadings + STILL_MM2 * np.eye(kept)
         walk = Walk(loadings, process, params.noise_mm**2, np.diag(spreads[:kept] ** 2))

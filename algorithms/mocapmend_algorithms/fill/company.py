@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
 from mocapmend_algorithms.recording import Recording
 
 LEAST_FRAMES = 10
@@ -65,15 +65,8 @@ def mean_distances(recording: Recording, observed: BoolArray, marker: int) -> Fl
         Mean over about 500 frames in which both are seen, in the recording's unit; infinite where
         there is none.
     """
-    frames = spread(np.flatnonzero(observed[:, marker]), MOST_FOR_DISTANCE)
+    frames = evenly(np.flatnonzero(observed[:, marker]), MOST_FOR_DISTANCE)
     points, both = recording.points[frames], observed[frames]
     away = np.linalg.norm(points - points[:, [marker]], axis=2)
     total, count = np.where(both, away, 0.0).sum(axis=0), both.sum(axis=0)
     return np.where(count > 0, total / np.maximum(count, 1), np.inf)
-
-
-def spread(frames: IntArray, most: int) -> IntArray:
-    """Choose at most so many frames, evenly."""
-    if frames.size <= most:
-        return frames
-    return frames[np.linspace(0, frames.size - 1, most).round().astype(np.int64)]

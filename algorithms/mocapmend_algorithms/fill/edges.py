@@ -7,12 +7,13 @@ the gap (an *open* side, as at the beginning of a recording), the other side's r
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.model_params import ModelEdges, model_edges_option
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.recording import Recording
@@ -25,36 +26,12 @@ DECAY_S = 1.0
 class EdgeParams:
     """Parameters that all methods with a model of the markers share."""
 
-    edges: Literal["fill", "leave"] = option(
-        "fill",
-        label="Beginning and end",
-        text="Whether to fill gaps at the beginning and the end of the recording.",
-    )
+    edges: ModelEdges = model_edges_option()
     meet_edges: bool = option(
         default=True,
         label="Meet the edges",
         text="Carry what the model leaves over at the edges of the gap into it. Off: as printed.",
     )
-
-
-def observed_samples(recording: Recording, gaps: Sequence[Gap]) -> BoolArray:
-    """Say which samples a method may look at.
-
-    Parameters
-    ----------
-    recording : Recording
-        The recording.
-    gaps : sequence of Gap
-        The gaps to fill; what the recording holds inside them is not to be looked at.
-
-    Returns
-    -------
-    ndarray of bool, shape (frames, markers)
-    """
-    observed = recording.present.copy()
-    for gap in gaps:
-        observed[gap.start : gap.stop, gap.marker] = False
-    return observed
 
 
 def sides(observed: BoolArray, gap: Gap) -> tuple[bool, bool]:

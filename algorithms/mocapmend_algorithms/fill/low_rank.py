@@ -38,12 +38,11 @@ from typing import Any
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
 from mocapmend_algorithms.fill.company import (
     LEAST_FRAMES,
     mean_distances,
     seen_together,
-    spread,
 )
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import (
@@ -291,7 +290,7 @@ class _Basis:
         if helpers < LEAST_HELPERS:
             return f"of the other markers, {helpers} {group.few}: this method needs {LEAST_HELPERS}"
         markers = np.concatenate((group.helpers, group.missing))
-        points = recording.points[np.ix_(spread(complete, MOST_FRAMES), markers)]
+        points = recording.points[np.ix_(evenly(complete, MOST_FRAMES), markers)]
         points = points - points[:, :helpers].mean(axis=1, keepdims=True)
         flat = points.reshape(points.shape[0], -1)
         means = flat.mean(axis=0)

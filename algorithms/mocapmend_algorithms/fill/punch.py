@@ -16,10 +16,10 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch
-from mocapmend_algorithms.fill.edges import observed_samples, sides
+from mocapmend_algorithms.fill.edges import sides
 from mocapmend_algorithms.fill.novelty import Novelty
 from mocapmend_algorithms.fill.selftest import calibrate
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
@@ -132,7 +132,7 @@ def fill_with_bands(
         length) per gap in the notes; both are 0 where nothing can be tested.
     """
     progress(0.0)
-    observed = observed_samples(recording, gaps)
+    observed = seen_outside(recording.present, gaps)
     bare = fill(recording, observed, gaps, part(progress, 0.0, BARE_SHARE))
     windows: dict[Window, list[int]] = {}
     for patch in bare.patches:

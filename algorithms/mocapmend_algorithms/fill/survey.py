@@ -17,7 +17,7 @@ from mocapmend_algorithms.fill.donors import (
     edges_seen,
 )
 from mocapmend_algorithms.fill.lessons import Size, plan
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.recording import Recording
 
 LEAST_TOGETHER = 0.5
@@ -41,9 +41,7 @@ class Survey:
 
     def __init__(self, recording: Recording, gaps: Sequence[Gap]) -> None:
         self.recording = recording
-        self.observed: BoolArray = recording.present.copy()
-        for gap in gaps:
-            self.observed[gap.start : gap.stop, gap.marker] = False
+        self.observed: BoolArray = seen_outside(recording.present, gaps)
 
     @cached_property
     def points(self) -> FloatArray:

@@ -7,7 +7,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.detection import jump_threshold, wrong_samples
 from mocapmend_algorithms.fill.neighbours import Distances, distances
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.recording import Recording
 
 LONGEST_WRONG_S = 0.1
@@ -30,9 +30,7 @@ class TrustedSamples:
     def __init__(self, recording: Recording, gaps: Sequence[Gap], jump_mm: float | None) -> None:
         self._recording = recording
         self._jump = None if jump_mm is None else jump_mm / recording.mm
-        self._observed = recording.present.copy()
-        for gap in gaps:
-            self._observed[gap.start : gap.stop, gap.marker] = False
+        self._observed = seen_outside(recording.present, gaps)
         self._trusted: dict[int, BoolArray] = {}
         self._near: dict[int, Distances] = {}
 
