@@ -1,4 +1,4 @@
-"""Principal components and the low-dimensional smoother: closed forms, second implementations."""
+"""What principal components and the low-dimensional smoother have in common."""
 
 import json
 
@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from synthetic import bending_body, fill_with, punch, record, smooth_motion
+from synthetic import bending_body, fill_with, punch, record
 
 from mocapmend.engine import load
 from mocapmend_algorithms import Gap, no_progress
-from mocapmend_algorithms.fill.company import mean_distances, seen_together
-from mocapmend_algorithms.fill.low_rank import reconstruction
 
 FAINT = {"missing_weight": "1e-6", "components": "99.9999"}
 EXACT = [
@@ -45,19 +43,6 @@ def test_recovers_motion_of_low_rank_exactly(variant, seed, start, length):
     assert errors(result, points).max() < 0.05
 
 
-@pytest.mark.parametrize("method", ["pca-r1", "pca-r2"])
-def test_a_common_motion_of_all_markers_changes_nothing(method):
-    points, path = bending_body(200, 9), 50 * smooth_motion(200, 1, seed=9)
-    gaps = [Gap(2, 60, 90), Gap(5, 0, 20)]
-    variant = (method, {"meet_edges": "false"})
-    here = fill_with(variant, record(punch(points, gaps)), gaps)
-    there = fill_with(variant, record(punch(points + path, gaps)), gaps)
-    for a, b in zip(here.patches, there.patches, strict=True):
-        moved = a.values + path[a.gap.start : a.gap.stop, 0]
-        np.testing.assert_allclose(b.values, moved, atol=1e-4)
-        np.testing.assert_allclose(b.r90, a.r90, atol=1e-4)
-
-
 @EVERY
 def test_a_mirrored_and_turned_recording_is_filled_alike(method):
     points = bending_body(200, 9)
@@ -66,71 +51,6 @@ def test_a_mirrored_and_turned_recording_is_filled_alike(method):
     there = fill_with((method, {}), record(punch(-points[:, :, [1, 2, 0]] + 1e3, gaps)), gaps)
     for a, b in zip(here.patches, there.patches, strict=True):
         np.testing.assert_allclose(b.values, -a.values[:, [1, 2, 0]] + 1e3, atol=1e-3)
-
-
-def test_r1_needs_markers_without_gaps_and_r2_does_not():
-    points = bending_body(400, 12)
-    gaps = [Gap(marker, 20 + 30 * marker, 30 + 30 * marker) for marker in range(12)]
-    recording = record(punch(points, gaps))
-    refused = fill_with(("pca-r1", {}), recording, gaps)
-    assert not refused.patches
-    assert {u.reason for u in refused.unfilled} == {
-        "of the other markers, 0 have no gap at all: this method needs 3"
-    }
-    filled = fill_with(("pca-r2", {"near": "10"}), recording, gaps)
-    assert [p.gap for p in filled.patches] == gaps
-    assert {filled.notes[gap]["helpers"] for gap in gaps} == {11}
-    assert errors(filled, points).max() < 30
-
-
-def test_r2_does_without_markers_that_are_missing_in_the_gap_or_far_and_unsure():
-    points = bending_body(300, 12)
-    points[:, 11] += 5000.0
-    gaps = [Gap(0, 100, 120), Gap(1, 110, 130), Gap(11, 200, 210)]
-    result = fill_with(("pca-r2", {}), record(punch(points, gaps)), gaps)
-    assert result.notes[gaps[0]]["helpers"] == 9
-    alone = [gaps[0], gaps[2]]
-    result = fill_with(("pca-r2", {}), record(punch(points, alone)), alone)
-    assert result.notes[gaps[0]]["helpers"] == 10
-
-
-def test_the_reconstruction_is_that_of_the_scaled_columns():
-    rng = np.random.default_rng(1)
-    rows = rng.normal(size=(80, 4)) @ rng.normal(size=(4, 9)) + rng.normal(0, 0.2, (80, 9))
-    rows[:, 6:] *= 0.02
-    coefficients, kept = reconstruction(rows.T @ rows, 6, 0.9)
-    zeroed = np.hstack((rows[:, :6], np.zeros((80, 3))))
-    full = np.linalg.svd(rows, full_matrices=False)
-    zero = np.linalg.svd(zeroed, full_matrices=False)
-    enough = [int(np.argmax(np.cumsum(s) >= 0.9 * s.sum())) + 1 for s in (full[1], zero[1])]
-    assert kept == max(enough)
-    pairing = np.diag(np.sum(full[2][:kept] * zero[2][:kept], axis=1))
-    expected = zeroed @ zero[2][:kept].T @ pairing @ full[2][:kept]
-    np.testing.assert_allclose(rows[:, :6] @ coefficients, expected[:, 6:], atol=1e-10)
-
-
-def test_mean_distances_leave_out_what_is_missing():
-    points = np.zeros((4, 3, 3))
-    points[:, 1, 0] = [1, 2, 3, 1000]
-    points[3, 1] = points[:, 2] = np.nan
-    recording = record(points)
-    away = mean_distances(recording, recording.present, 0)
-    np.testing.assert_allclose(away, [0.0, 2.0, np.inf])
-
-
-def test_markers_that_are_hardly_seen_are_left_out():
-    observed = np.ones((100, 5), dtype=bool)
-    observed[20:40, 1] = observed[40:, 2] = observed[:99, 4] = False
-    everybody = np.arange(5)
-    markers, frames = seen_together(observed, everybody, 0)
-    assert markers.tolist() == [0, 1, 3]
-    assert frames.tolist() == [*range(20), *range(40, 100)]
-    markers, frames = seen_together(observed, everybody, 2)
-    assert markers.tolist() == [0, 1, 2, 3]
-    assert frames.tolist() == list(range(20))
-    markers, frames = seen_together(observed, everybody, 4)
-    assert frames.tolist() == [99]
-    assert 4 in markers
 
 
 @EVERY

@@ -29,7 +29,7 @@ from mocapmend_algorithms.fill.pose_regression import Candidate, View
 from mocapmend_algorithms.fill.stack import Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
 DRIFT = (0.1, 10.0)
@@ -103,9 +103,8 @@ def auto(
     for done, gap in enumerate(gaps):
         try:
             case = _case(survey, gap, params)
-            patch, notes[gap] = _fill(
-                case, recording, lambda share, done=done: progress((done + share) / len(gaps))
-            )
+            share = part(progress, done / len(gaps), (done + 1) / len(gaps))
+            patch, notes[gap] = _fill(case, recording, share)
             patches.append(patch)
         except NoDonorsError as error:
             unfilled.append(Unfilled(gap, str(error)))

@@ -25,37 +25,22 @@ the gap (`meet_edges`).
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
+from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.fill.company import LEAST_FRAMES, seen_together
 from mocapmend_algorithms.fill.contract import FillResult
-from mocapmend_algorithms.fill.edges import (
-    EdgeParams,
-    Modelled,
-    meet_edges,
-    obstacle,
-    with_edges,
-)
+from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, obstacle
 from mocapmend_algorithms.fill.params import option
-from mocapmend_algorithms.fill.punch import fill_with_bands
-from mocapmend_algorithms.fill.walk_smoother import Walk, smooth
+from mocapmend_algorithms.fill.posture_space import PostureSpace
+from mocapmend_algorithms.fill.posture_sweeps import follow
+from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
 LEAST_MARKERS = 3
-MOST_FRAMES = 3000
-AROUND = 8
-"""Complete frames on each side that the smoother sees; see the deviations."""
-MOST_AROUND = 100
-"""Where frames are seldom complete, it sees no more than this many."""
-MOST_BYTES = 64e6
-"""For the gains of one sweep: longer ones are cut."""
-STILL_MM2 = 1e-8
-"""Added to the process noise, so that it has an inverse where nothing moves."""
 
 
 @dataclass(frozen=True)
@@ -118,13 +103,19 @@ def _fill(
     groups = _groups(observed, [gap for gap in gaps if not said[gap]])
     for done, (markers, complete, among) in enumerate(groups):
         share = part(progress, done / len(groups), (done + 1) / len(groups))
-        space = _Space.learn(recording, markers, complete, params)
-        if isinstance(space, str):
-            said |= dict.fromkeys(among, space)
+        few = _few_complete(complete)
+        said |= {gap: few or _few_others(observed, gap, markers) for gap in among}
+        if few:
             continue
-        said |= {gap: _too_little(observed, gap, markers) for gap in among}
+        space = PostureSpace.learn(
+            recording,
+            markers,
+            complete,
+            share=params.components / 100,
+            noise_mm=params.noise_mm,
+        )
         told = [gap for gap in among if not said[gap]]
-        said |= _say(recording, observed, space, told, share)
+        said |= follow(recording, observed, space, told, share)
     progress(1.0)
     return meet_edges(recording, observed, gaps, said, params)
 
@@ -142,22 +133,17 @@ def _groups(observed: BoolArray, gaps: Sequence[Gap]) -> list[tuple[IntArray, In
     return list(groups.values())
 
 
-def _say(
-    recording: Recording,
-    observed: BoolArray,
-    space: "_Space",
-    gaps: Sequence[Gap],
-    progress: Progress,
-) -> dict[Gap, Modelled]:
-    said: dict[Gap, Modelled] = {}
-    sweeps = _sweeps(observed, space, gaps)
-    for done, (start, stop, among) in enumerate(sweeps):
-        share = part(progress, done / len(sweeps), (done + 1) / len(sweeps))
-        said |= _Sweep(recording, observed, space, start, stop).say(among, share)
-    return said
+def _few_complete(complete: IntArray) -> str:
+    """Say that too few frames are complete to learn from; empty where enough are."""
+    if complete.size < LEAST_FRAMES or not (np.diff(complete) == 1).any():
+        return (
+            f"only {complete.size} frames show the marker and those that predict it: this "
+            f"method needs {LEAST_FRAMES} in a row"
+        )
+    return ""
 
 
-def _too_little(observed: BoolArray, gap: Gap, markers: IntArray) -> str:
+def _few_others(observed: BoolArray, gap: Gap, markers: IntArray) -> str:
     others = np.count_nonzero(observed[gap.start : gap.stop, markers], axis=1)
     if np.median(others) < LEAST_MARKERS:
         return (
@@ -165,126 +151,3 @@ def _too_little(observed: BoolArray, gap: Gap, markers: IntArray) -> str:
             "most of the gap: this method has too little to tell the posture by"
         )
     return ""
-
-
-def _sweeps(
-    observed: BoolArray, space: "_Space", gaps: Sequence[Gap]
-) -> list[tuple[int, int, list[Gap]]]:
-    """Put gaps of the same frames together: first frame to smooth, last frame + 1, the gaps."""
-    complete = space.complete
-    sweeps: dict[tuple[int, int], list[Gap]] = {}
-    for gap in gaps:
-        before = int(np.searchsorted(complete, gap.start)) - AROUND
-        after = int(np.searchsorted(complete, gap.stop)) + AROUND - 1
-        first = int(complete[before]) if before >= 0 else 0
-        last = int(complete[after]) if after < complete.size else observed.shape[0] - 1
-        first, last = max(first, gap.start - MOST_AROUND), min(last, gap.stop + MOST_AROUND)
-        sweeps.setdefault((first, last + 1), []).append(gap)
-    return [(start, stop, among) for (start, stop), among in sweeps.items()]
-
-
-@dataclass(frozen=True, eq=False)
-class _Space:
-    """The low-dimensional space of a recording, in millimetres.
-
-    Attributes
-    ----------
-    markers : ndarray of int
-        Those that span it.
-    complete : ndarray of int
-        Frames that show them all.
-    mean : ndarray, shape (3 markers,)
-        Of the complete frames.
-    walk : Walk
-        The model in it.
-    notes : dict
-        For the diagnostics.
-    """
-
-    markers: IntArray
-    complete: IntArray
-    mean: FloatArray
-    walk: Walk
-    notes: dict[str, Any]
-
-    @classmethod
-    def learn(
-        cls,
-        recording: Recording,
-        markers: IntArray,
-        complete: IntArray,
-        params: BurkeLasenbyParams,
-    ) -> "_Space | str":
-        """Find the space; where there is too little to learn from, say so."""
-        pairs = complete[:-1][np.diff(complete) == 1]
-        if complete.size < LEAST_FRAMES or not pairs.size:
-            return (
-                f"only {complete.size} frames show the marker and those that predict it: this "
-                f"method needs {LEAST_FRAMES} in a row"
-            )
-        frames = _flat(recording, evenly(complete, MOST_FRAMES), markers)
-        mean = frames.mean(axis=0)
-        around = frames - mean
-        values, vectors = np.linalg.eigh(around.T @ around / frames.shape[0])
-        spreads = np.sqrt(np.clip(values[::-1], 0, None))
-        enough = np.cumsum(spreads) <= params.components / 100 * spreads.sum()
-        kept = max(int(np.count_nonzero(enough)), 1)
-        loadings: FloatArray = vectors[:, ::-1][:, :kept]
-        pairs = evenly(pairs, MOST_FRAMES)
-        steps = _flat(recording, pairs + 1, markers) - _flat(recording, pairs, markers)
-        process = (loadings.T * steps.var(axis=0)) @ loadings + STILL_MM2 * np.eye(kept)
-        walk = Walk(loadings, process, params.noise_mm**2, np.diag(spreads[:kept] ** 2))
-        return cls(
-            markers, complete, mean, walk, {"components": kept, "complete_frames": complete.size}
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class _Sweep:
-    """Frames that are smoothed together."""
-
-    recording: Recording
-    observed: BoolArray
-    space: _Space
-    start: int
-    stop: int
-
-    def say(self, gaps: Sequence[Gap], progress: Progress) -> dict[Gap, Modelled]:
-        """Say where the markers are in their gaps and beside them."""
-        ranges = {gap: with_edges(self.observed, gap) for gap in gaps}
-        values = {gap: np.empty((stop - start, 3)) for gap, (start, stop) in ranges.items()}
-        states = self.space.walk.process.shape[0]
-        most = max(int(MOST_BYTES / (8 * states**2)), 4 * MOST_AROUND)
-        for first in range(self.start, self.stop, most):
-            last = min(first + most, self.stop)
-            share = self.stop - self.start
-            postures = self._smooth(
-                first,
-                last,
-                part(progress, (first - self.start) / share, (last - self.start) / share),
-            )
-            for gap, (start, stop) in ranges.items():
-                a, b = max(start, first), min(stop, last)
-                if a < b:
-                    values[gap][a - start : b - start] = self._place(
-                        postures[a - first : b - first], gap.marker
-                    )
-        return {gap: Modelled(one, self.space.notes) for gap, one in values.items()}
-
-    def _smooth(self, first: int, last: int, progress: Progress) -> FloatArray:
-        begin = max(first - MOST_AROUND, self.start)
-        frames = np.arange(begin, min(last + MOST_AROUND, self.stop))
-        values = _flat(self.recording, frames, self.space.markers) - self.space.mean
-        seen = np.repeat(self.observed[np.ix_(frames, self.space.markers)], 3, axis=1)
-        return smooth(self.space.walk, values, seen, progress)[first - begin :][: last - first]
-
-    def _place(self, postures: FloatArray, marker: int) -> FloatArray:
-        at = 3 * int(np.searchsorted(self.space.markers, marker))
-        rows = self.space.walk.loadings[at : at + 3]
-        placed: FloatArray = postures @ rows.T + self.space.mean[at : at + 3]
-        return placed / self.recording.mm
-
-
-def _flat(recording: Recording, frames: IntArray, markers: IntArray) -> FloatArray:
-    points: FloatArray = recording.points[np.ix_(frames, markers)] * recording.mm
-    return points.reshape(frames.size, -1)

@@ -50,6 +50,10 @@ def seen_together(
 def mean_distances(recording: Recording, observed: BoolArray, marker: int) -> FloatArray:
     """Measure how far all markers are from one.
 
+    What a method weights its helpers by is how near they are, not how well they keep their
+    distance: so it is the plain mean, as in the paper (GF16, see `pca`), and nothing is said of
+    its spread.
+
     Parameters
     ----------
     recording : Recording

@@ -61,8 +61,12 @@ class Donors:
         return Donors(self.markers[chosen], self.spread[chosen], self.distance[chosen])
 
 
-class Distances:
-    """Distances between the markers of a recording, measured on up to 600 of its frames.
+class DonorDistances:
+    """How far apart the markers of a recording are, as a measure of how well they are donors.
+
+    Donors are ranked and weighted by it, not admitted: so the spread is a standard deviation, to
+    which a swing in a few frames adds its part, with only 1 % clipped off at each end for spikes,
+    over up to 600 frames; three frames together are enough, as the fill is tested anyway.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ import numpy as np
 from mocapmend_algorithms.alignment import Alignment, align, mean_shape
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.donors import Seen
-from mocapmend_algorithms.fill.neighbours import Distances
+from mocapmend_algorithms.fill.neighbours import Neighbourhood
 from mocapmend_algorithms.gaps import Gap, runs
 from mocapmend_algorithms.recording import Recording
 
@@ -85,7 +85,7 @@ def cut(
     gap: Gap,
     frames: slice,
     span: int,
-    near: Callable[[], Distances],
+    near: Callable[[], Neighbourhood],
     donors: Sequence[int] = (),
 ) -> Excerpt:
     """Cut an excerpt.
@@ -140,7 +140,7 @@ def _places(seen: BoolArray, span: int) -> int:
     return sum((stop - start) // span for start, stop in runs(seen))
 
 
-def _stand_ins(near: Distances, marker: int, donors: Sequence[int]) -> list[int]:
+def _stand_ins(near: Neighbourhood, marker: int, donors: Sequence[int]) -> list[int]:
     taken = {marker, *donors}
     order = np.argsort(near.spread, kind="stable").tolist()
     return [other for other in order if other not in taken][:STAND_INS]

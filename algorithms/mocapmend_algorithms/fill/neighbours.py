@@ -19,8 +19,12 @@ WIDTH_PER_SD = 3.29
 
 
 @dataclass(frozen=True, eq=False)
-class Distances:
-    """How far the other markers are from one.
+class Neighbourhood:
+    """How far the other markers are from one, as a measure of which are rigidly joined to it.
+
+    It is measured before wrong samples are known, and markers are admitted by it or not: so it is
+    robust, the median and the width of the central 90 %, which jumps of a marker in up to 5 % of
+    the frames leave alone. About 100 frames are enough for that, and quick.
 
     Attributes
     ----------
@@ -40,7 +44,7 @@ class Distances:
         return order[self.spread[order] <= looseness * self.length[order]]
 
 
-def distances(points: FloatArray, observed: BoolArray, marker: int) -> Distances:
+def measure_neighbourhood(points: FloatArray, observed: BoolArray, marker: int) -> Neighbourhood:
     """Measure the distances of all markers to one.
 
     Parameters
@@ -54,7 +58,7 @@ def distances(points: FloatArray, observed: BoolArray, marker: int) -> Distances
 
     Returns
     -------
-    Distances
+    Neighbourhood
     """
     step = max(1, points.shape[0] // MOST_FRAMES)
     together = observed[::step] & observed[::step, [marker]]
@@ -69,16 +73,16 @@ def distances(points: FloatArray, observed: BoolArray, marker: int) -> Distances
     length, spread = np.full(known.size, np.nan), np.full(known.size, np.inf)
     length[known] = middle[known]
     spread[known] = (high[known] - low[known]) / WIDTH_PER_SD
-    return Distances(length, spread)
+    return Neighbourhood(length, spread)
 
 
-def choose_donors(near: Distances, needed: IntArray, seen: Seen) -> tuple[int, ...]:
+def choose_donors(near: Neighbourhood, needed: IntArray, seen: Seen) -> tuple[int, ...]:
     """Choose the markers that keep their distance to one best.
 
     Parameters
     ----------
-    near : Distances
-        From that marker.
+    near : Neighbourhood
+        Of that marker.
     needed : ndarray of int
         Frames in which every donor must be seen.
     seen : callable

@@ -11,8 +11,8 @@ from mocapmend_algorithms.fill import (
     interpolate,
     kalman,
     local_frame,
-    low_rank,
     params,
+    pca,
     woltring,
 )
 from mocapmend_algorithms.fill.contract import FillFunction
@@ -134,8 +134,8 @@ _ALL = (
     Method(
         id="pca-r1",
         label="Principal components, all gaps at once",
-        function=low_rank.pca_r1,
-        params=low_rank.PcaR1Params,
+        function=pca.pca_r1,
+        params=pca.PcaR1Params,
         help="Learns from the complete frames how the markers move together and predicts all "
         "markers with gaps at once from those without any (Gløersen and Federolf 2016, R1). For "
         "recordings with few gaps; it learns nothing of postures that no complete frame shows.",
@@ -144,8 +144,8 @@ _ALL = (
     Method(
         id="pca-r2",
         label="Principal components, marker by marker",
-        function=low_rank.pca_r2,
-        params=low_rank.PcaR2Params,
+        function=pca.pca_r2,
+        params=pca.PcaR2Params,
         help="Learns how the markers move together and predicts each marker with gaps from those "
         "that are seen in them, near ones first (Gløersen and Federolf 2016, R2). Good for gaps "
         "up to seconds in repetitive motion; poor where a marker's neighbours are missing too.",

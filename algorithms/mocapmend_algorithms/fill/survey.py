@@ -9,7 +9,7 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.completion import Completion
 from mocapmend_algorithms.fill.donors import (
-    Distances,
+    DonorDistances,
     Donors,
     NoDonorsError,
     by_label,
@@ -51,9 +51,9 @@ class Survey:
         return points
 
     @cached_property
-    def distances(self) -> Distances:
+    def distances(self) -> DonorDistances:
         """How the markers move with each other."""
-        return Distances(self.points, self.observed)
+        return DonorDistances(self.points, self.observed)
 
     @cached_property
     def completion(self) -> Completion:

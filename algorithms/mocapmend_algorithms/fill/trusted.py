@@ -6,7 +6,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.detection import jump_threshold, wrong_samples
-from mocapmend_algorithms.fill.neighbours import Distances, distances
+from mocapmend_algorithms.fill.neighbours import Neighbourhood, measure_neighbourhood
 from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.recording import Recording
 
@@ -32,7 +32,7 @@ class TrustedSamples:
         self._jump = None if jump_mm is None else jump_mm / recording.mm
         self._observed = seen_outside(recording.present, gaps)
         self._trusted: dict[int, BoolArray] = {}
-        self._near: dict[int, Distances] = {}
+        self._near: dict[int, Neighbourhood] = {}
 
     def seen(self, marker: int) -> BoolArray:
         """Return whether each sample of a marker is trusted, shape (frames,)."""
@@ -48,10 +48,12 @@ class TrustedSamples:
         """Return the frames in which a marker is there and not trusted."""
         return np.flatnonzero(self._observed[:, marker] & ~self.seen(marker))
 
-    def near(self, marker: int) -> Distances:
+    def near(self, marker: int) -> Neighbourhood:
         """Return the distances of the other markers to one."""
         if marker not in self._near:
-            self._near[marker] = distances(self._recording.points, self._observed, marker)
+            self._near[marker] = measure_neighbourhood(
+                self._recording.points, self._observed, marker
+            )
         return self._near[marker]
 
     def window(self, gap: Gap, reach: int) -> IntArray:
