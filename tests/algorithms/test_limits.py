@@ -45,9 +45,7 @@ def outcome(method, limits, *, gaps=GAPS, unit="mm"):
     return left
 
 
-@pytest.mark.parametrize(
-    "method_id", ["constant", "linear", "cubic", "pchip", "woltring"]
-)
+@pytest.mark.parametrize("method_id", ["constant", "linear", "cubic", "pchip", "woltring"])
 def test_by_default_interpolation_stops_at_a_fifth_of_a_second(method_id):
     asked = []
     left = outcome(stub(method_id, 1.0, asked), Limits())
