@@ -26,7 +26,7 @@ from mocapmend_algorithms.fill.model_params import (
     model_edges_option,
 )
 from mocapmend_algorithms.fill.pose_regression import Candidate, View
-from mocapmend_algorithms.fill.stack import Stack, blend
+from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
@@ -163,5 +163,5 @@ def _unit(candidate: Candidate) -> float:
     """Return how many mm a candidate's unit of spread stands for, by its trials."""
     if not candidate.errors:
         return 1.0
-    error = np.mean(np.concatenate(candidate.errors) ** 2) * 3
+    error = max(np.mean(np.concatenate(candidate.errors) ** 2) * 3, LEAST_MM**2)
     return float(np.sqrt(error / np.mean(np.concatenate(candidate.spreads) ** 2)))

@@ -186,7 +186,7 @@ class _Ridge:
         samples = values.shape[0]
         seen = features[:samples]
         square = seen.T @ seen
-        size = float(np.trace(square)) / max(square.shape[0], 1)
+        size = float(np.trace(square)) / max(square.shape[0], 1) or 1.0
         square += penalty * size * np.eye(square.shape[0])
         self._seen = seen
         self._gain = np.linalg.solve(square, seen.T).T
