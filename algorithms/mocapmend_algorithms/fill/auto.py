@@ -12,11 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.fill import pose_regression
-from mocapmend_algorithms.fill.band import band
+from mocapmend_algorithms.fill.band import SPEED_DONORS, band
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import NoDonorsError
+from mocapmend_algorithms.fill.donors import Donors, NoDonorsError
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.model_params import (
@@ -120,7 +121,13 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
         raise NoDonorsError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    return survey.case(gap, donors, SIZE)
+    return survey.case(gap, donors[_looked_at(donors)], SIZE)
+
+
+def _looked_at(donors: Donors) -> IntArray:
+    """Return the places of donors that matter; the others would only cost frames and time."""
+    near = [donors.best(view.donors, view.nearness) for view, _ in CANDIDATES]
+    return np.unique(np.concatenate([*near, donors.best(SPEED_DONORS)]))
 
 
 def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, dict[str, Any]]:
