@@ -12,11 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.fill import pose_regression
-from mocapmend_algorithms.fill.band import band
+from mocapmend_algorithms.fill.band import SPEED_DONORS, band
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import NoDonorsError
+from mocapmend_algorithms.fill.donors import Donors, NoDonorsError
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.model_params import (
@@ -26,7 +27,7 @@ from mocapmend_algorithms.fill.model_params import (
     model_edges_option,
 )
 from mocapmend_algorithms.fill.pose_regression import Candidate, View
-from mocapmend_algorithms.fill.stack import Stack, blend
+from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
@@ -123,7 +124,13 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
     short = gap.length <= SHORT_S * survey.recording.rate
-    return survey.case(gap, donors, SHORT_SIZE if short else SIZE)
+    return survey.case(gap, donors[_looked_at(donors)], SHORT_SIZE if short else SIZE)
+
+
+def _looked_at(donors: Donors) -> IntArray:
+    """Return the places of donors that matter; the others would only cost frames and time."""
+    near = [donors.best(view.donors, view.nearness) for view, _ in CANDIDATES]
+    return np.unique(np.concatenate([*near, donors.best(SPEED_DONORS)]))
 
 
 def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, dict[str, Any]]:
@@ -166,5 +173,5 @@ def _unit(candidate: Candidate) -> float:
     """Return how many mm a candidate's unit of spread stands for, by its trials."""
     if not candidate.errors:
         return 1.0
-    error = np.mean(np.concatenate(candidate.errors) ** 2) * 3
+    error = max(np.mean(np.concatenate(candidate.errors) ** 2) * 3, LEAST_MM**2)
     return float(np.sqrt(error / np.mean(np.concatenate(candidate.spreads) ** 2)))

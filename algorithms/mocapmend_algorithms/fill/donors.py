@@ -5,6 +5,7 @@ A good donor keeps its distance to the marker, is near it, and is seen while the
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -17,6 +18,9 @@ Seen = Callable[[int], BoolArray]
 
 LEAST_TOGETHER = 3
 CLIPPED = (0.01, 0.99)
+MOST_CORNERS = 8
+FLAT = 0.05
+"""Height of a triangle relative to its longest side, below which its corners are in one line."""
 
 
 class NoDonorsError(ValueError):
@@ -86,6 +90,27 @@ class DonorDistances:
         if marker not in self._known:
             self._known[marker] = self._measure(marker)
         return self._known[marker]
+
+    def triangle(self, donors: Donors) -> IntArray:
+        """Return the places of the best three donors, which show a turn: not those in one line.
+
+        Where all are in one line, they are the best three all the same.
+        """
+        order = donors.best(MOST_CORNERS)
+        corners = sorted(combinations(range(order.size), 3), key=max)
+        triples = [order[list(triple)] for triple in corners]
+        wide = (triple for triple in triples if not self._in_line(donors.markers[triple]))
+        return next(wide, order[:3])
+
+    def _in_line(self, triple: IntArray) -> bool:
+        sides = sorted(self._apart(*pair) for pair in combinations(triple.tolist(), 2))
+        half = sum(sides) / 2
+        area = half * np.prod([half - side for side in sides])
+        return 2 * np.sqrt(max(area, 0.0)) <= FLAT * sides[-1] ** 2
+
+    def _apart(self, one: int, other: int) -> float:
+        known = self.to(one)
+        return float(known.distance[known.markers == other].sum())
 
     def _measure(self, marker: int) -> Donors:
         frames = np.flatnonzero(self._observed[:, marker])
