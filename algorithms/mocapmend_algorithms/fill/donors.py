@@ -3,6 +3,7 @@
 A good donor keeps its distance to the marker, is near it, and is seen while the marker is missing.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -103,10 +104,10 @@ class DonorDistances:
         return next(wide, order[:3])
 
     def _in_line(self, triple: IntArray) -> bool:
-        sides = sorted(self._apart(*pair) for pair in combinations(triple.tolist(), 2))
-        half = sum(sides) / 2
-        area = half * np.prod([half - side for side in sides])
-        return 2 * np.sqrt(max(area, 0.0)) <= FLAT * sides[-1] ** 2
+        a, b, c = sorted(self._apart(*pair) for pair in combinations(triple.tolist(), 2))
+        half = (a + b + c) / 2
+        square = half * (half - a) * (half - b) * (half - c)
+        return 2 * math.sqrt(max(square, 0.0)) <= FLAT * c**2
 
     def _apart(self, one: int, other: int) -> float:
         known = self.to(one)
