@@ -3,6 +3,7 @@
 A good donor keeps its distance to the marker, is near it, and is seen while the marker is missing.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -97,8 +98,9 @@ class Distances:
     def _in_line(self, triple: IntArray) -> bool:
         sides = sorted(self._apart(*pair) for pair in combinations(triple.tolist(), 2))
         half = sum(sides) / 2
-        area = half * np.prod([half - side for side in sides])
-        return 2 * np.sqrt(max(area, 0.0)) <= FLAT * sides[-1] ** 2
+        square = half * math.prod(half - side for side in sides)
+        height = 2 * math.sqrt(max(square, 0.0)) / (sides[-1] or 1.0)
+        return height <= FLAT * sides[-1]
 
     def _apart(self, one: int, other: int) -> float:
         known = self.to(one)

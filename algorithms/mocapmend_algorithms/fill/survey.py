@@ -96,7 +96,9 @@ class Survey:
             check_seen(self.recording.labels, self.observed, gap, wanted, at_edges=at_edges)
             for marker in np.setdiff1d(wanted, known.markers).tolist():
                 label = self.recording.labels[marker]
-                raise NoDonorsError(f"the marker and its donor {label} are hardly ever seen together")
+                raise NoDonorsError(
+                    f"the marker and its donor {label} are hardly ever seen together"
+                )
             return known[np.isin(known.markers, wanted)]
         share = self.observed[gap.start : gap.stop].mean(axis=0)[known.markers]
         seen = share == 1.0
