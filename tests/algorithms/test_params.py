@@ -2,7 +2,7 @@
 
 import dataclasses
 import json
-from typing import Literal, get_args, get_type_hints
+from typing import Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
@@ -32,7 +32,11 @@ def test_the_methods_and_their_order():
         "pchip",
         "woltring",
         "cyclic",
+        "rigid",
+        "pattern",
+        "local-frame",
         "kalman",
+        "auto",
     ]
     for key, entry in METHODS.items():
         assert entry.id == key
@@ -55,7 +59,7 @@ def test_a_form_can_be_made_of_every_parameter():
             assert field.metadata["label"]
             assert field.metadata["help"].endswith(".")
             hint, value = hints[field.name], getattr(defaults, field.name)
-            kinds = (*get_args(hint), hint)
+            kinds = (*get_args(hint), get_origin(hint), hint)
             assert value in kinds or (value is None and type(None) in kinds) or type(value) in kinds
         with pytest.raises(dataclasses.FrozenInstanceError):
             defaults.anything = 1

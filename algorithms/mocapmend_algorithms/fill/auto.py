@@ -99,6 +99,7 @@ def auto(
     unfilled: list[Unfilled] = []
     notes: dict[Gap, dict[str, Any]] = {}
     for done, gap in enumerate(gaps):
+        progress(done / len(gaps))
         try:
             case = _case(survey, gap, params)
             patch, notes[gap] = _fill(
