@@ -74,15 +74,30 @@ def align(points: FloatArray, template: FloatArray, weights: FloatArray) -> Alig
         return Alignment(rotation, centre, origin)
     around = points[seen] - centre[seen, None]
     weighted = share[:, None] * (template - origin)
-    product = around.swapaxes(1, 2) @ weighted
-    left, size, right = np.linalg.svd(product)
-    line = size[:, 1] <= IN_LINE * size[:, 0]
-    if line.any():
-        product[line] += IN_LINE * size[line, 0, None, None] * np.eye(3)
-        left[line], _, right[line] = np.linalg.svd(product[line])
-    left[:, :, 2] *= np.sign(np.linalg.det(left @ right))[:, None]
-    rotation[seen] = left @ right
+    rotation[seen] = turns(around.swapaxes(1, 2) @ weighted)
     return Alignment(rotation, centre, origin)
+
+
+def turns(product: FloatArray) -> FloatArray:
+    """Return the rotations nearest to sums of products of a group's and its template's places.
+
+    Parameters
+    ----------
+    product : ndarray, shape (..., 3, 3)
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Those of markers in one line turn as little as they can.
+    """
+    left, size, right = np.linalg.svd(product)
+    line = size[..., 1] <= IN_LINE * size[..., 0]
+    if line.any():
+        steadied = product[line] + IN_LINE * size[line, 0, None, None] * np.eye(3)
+        left[line], _, right[line] = np.linalg.svd(steadied)
+    left[..., :, 2] *= np.sign(np.linalg.det(left @ right))[..., None]
+    rotation: FloatArray = left @ right
+    return rotation
 
 
 def standing(frames: int) -> Alignment:

@@ -27,7 +27,19 @@ VARIANTS = [
     ("kalman", {"direction": "causal"}),
     ("kalman", {"direction": "causal", "velocity_interval_ms": "40"}),
 ]
+DONOR_VARIANTS = [
+    ("rigid", {}),
+    ("rigid", {"donors": "M1,M2,M4,M5"}),
+    ("pattern", {}),
+    ("pattern", {"donors": "M1,M2,M4"}),
+    ("local-frame", {}),
+    ("local-frame", {"edges": "leave"}),
+    ("auto", {}),
+    ("auto", {"donors": "M1,M2,M4", "edges": "leave"}),
+]
+"""Of the methods that look at other markers; the others' are `VARIANTS`."""
 LEAVES_EDGES = [variant for variant in VARIANTS if "edges" not in variant[1]]
+LEAVES_EDGES += [variant for variant in DONOR_VARIANTS if variant[1].get("edges") == "leave"]
 FILLS_ANYTHING = [variant for variant in VARIANTS if variant != ("cyclic", {})]
 """A period that is given is believed; one that is not must be found first."""
 EDGE_TO_EDGE = [

@@ -102,6 +102,7 @@ def auto(
     unfilled: list[Unfilled] = []
     notes: dict[Gap, dict[str, Any]] = {}
     for done, gap in enumerate(gaps):
+        progress(done / len(gaps))
         try:
             case = _case(survey, gap, params)
             share = part(progress, done / len(gaps), (done + 1) / len(gaps))

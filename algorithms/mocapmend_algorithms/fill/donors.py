@@ -107,7 +107,8 @@ class DonorDistances:
         a, b, c = sorted(self._apart(*pair) for pair in combinations(triple.tolist(), 2))
         half = (a + b + c) / 2
         square = half * (half - a) * (half - b) * (half - c)
-        return 2 * math.sqrt(max(square, 0.0)) <= FLAT * c**2
+        height = 2 * math.sqrt(max(square, 0.0)) / (c or 1.0)
+        return height <= FLAT * c
 
     def _apart(self, one: int, other: int) -> float:
         known = self.to(one)
