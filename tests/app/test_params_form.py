@@ -5,9 +5,10 @@ from typing import Literal
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QLineEdit, QSpinBox
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QSpinBox
 from pytestqt.qtbot import QtBot
 
+from mocapmend.views.names_edit import NamesEdit
 from mocapmend.views.params_form import ParamsForm
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.registry import METHODS, Method
@@ -51,7 +52,7 @@ def test_every_kind_of_parameter_can_be_edited(form: ParamsForm, qtbot: QtBot) -
     assert lengths[1].text() == "automatic"
     with qtbot.waitSignal(form.changed):
         lengths[1].setValue(1.5)
-    names = form.findChild(QLineEdit, "names")
+    names = form.findChild(NamesEdit, "names").edit
     assert names.placeholderText() == "automatic"
     names.setText("a, b")
     with qtbot.waitSignal(form.changed):

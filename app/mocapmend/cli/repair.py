@@ -81,6 +81,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     check_ending(source, out)
     common.show_warnings(source, console)
     _check_source(source, accept_truncated=arguments.accept_truncated)
+    markers.require(source, getattr(params, "donors", ()))
     limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
     result = _fill(source, arguments.markers, method, params, limits, console)
     console.start("Writing")

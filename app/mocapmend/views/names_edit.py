@@ -37,12 +37,12 @@ class NamesEdit(QWidget):
         # A click must not take the keyboard from the rest of the window.
         self.take.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.take.clicked.connect(self._take)
-        self.take.setVisible(bool(known))
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
         layout.addWidget(self.edit, 1)
         layout.addWidget(self.take)
+        self.take.setHidden(not known)
         self.setFocusProxy(self.edit)
         self._told = self.labels()
         self.edit.editingFinished.connect(self._tell)
