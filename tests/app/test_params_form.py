@@ -62,6 +62,21 @@ def test_every_kind_of_parameter_can_be_edited(form: ParamsForm, qtbot: QtBot) -
     assert lengths[0].suffix() == " mm"
 
 
+@dataclass(frozen=True)
+class Small:
+    penalty: float = option(1e-4, label="Penalty", text="Stiff.", minimum=1e-9, maximum=1e3)
+
+
+def test_a_small_number_is_shown_and_kept_as_it_is(form: ParamsForm) -> None:
+    form.show_class(Small)
+    box = form.findChild(QDoubleSpinBox)
+    assert box.text() == "0.0001"
+    box.setValue(2.5e-8)
+    assert form.params() == Small(2.5e-8)
+    box.setValue(12)
+    assert box.text() == "12"
+
+
 def test_another_method_replaces_the_form(form: ParamsForm) -> None:
     form.show_class(Example)
     form.show_class(METHODS["linear"].params)

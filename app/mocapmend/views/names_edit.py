@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QStringListModel, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtWidgets import QCompleter, QHBoxLayout, QLineEdit, QPushButton, QWidget
 
 from mocapmend_algorithms.fill.params import Words, parse_words, write_words
@@ -88,15 +88,16 @@ class _Completer(QCompleter):
     """Completes the last of the names in a text."""
 
     def __init__(self, names: Sequence[str], edit: QLineEdit) -> None:
-        super().__init__(QStringListModel(sorted(set(names))), edit)
-        self._edit = edit
+        super().__init__(sorted(set(names)), edit)
+        self._before = ""
+        """What was typed before the last name: the field shows what is highlighted meanwhile."""
         self.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
         self.setFilterMode(Qt.MatchFlag.MatchContains)
 
     def splitPath(self, path: str) -> list[str]:
-        return [path.rpartition(",")[2].strip()]
+        before, comma, last = path.rpartition(",")
+        self._before = f"{before}{comma} " if comma else ""
+        return [last.strip()]
 
     def pathFromIndex(self, index: QModelIndex | QPersistentModelIndex) -> str:
-        before, comma, _ = self._edit.text().rpartition(",")
-        name = write_words([super().pathFromIndex(index)])
-        return f"{before}{comma} {name}" if comma else name
+        return self._before + write_words([super().pathFromIndex(index)])
