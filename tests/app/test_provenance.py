@@ -172,6 +172,7 @@ def test_repairs_in_two_steps(tmp_path: Path) -> None:
 
 
 LABELS = st.text(st.characters(codec="utf-8", exclude_characters="\0"), min_size=1, max_size=30)
+PARAMETERS = st.none() | st.booleans() | st.integers() | LABELS | st.lists(LABELS).map(tuple)
 RECORDS = st.builds(
     RepairRecord,
     LABELS,
@@ -179,7 +180,7 @@ RECORDS = st.builds(
     st.just(111),
     st.just(114),
     st.sampled_from(["cubic", "a method of the future"]),
-    st.dictionaries(LABELS, st.none() | st.booleans() | st.integers() | LABELS, max_size=3),
+    st.dictionaries(LABELS, PARAMETERS, max_size=3),
     st.lists(LABELS, max_size=40).map(tuple),
     st.floats(0.001, 1e6).map(lambda x: float(f"{x:.4g}")) | st.just(math.nan),
     st.just(math.nan),

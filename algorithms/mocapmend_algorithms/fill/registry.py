@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 from mocapmend_algorithms.fill import (
     auto,
@@ -17,6 +17,10 @@ from mocapmend_algorithms.fill import (
 )
 from mocapmend_algorithms.fill.contract import FillFunction
 
+Family = Literal["Automatic", "Interpolation", "Donors", "Low rank", "Kalman"]
+FAMILIES: tuple[Family, ...] = get_args(Family)
+"""Kinds of methods, in the order of menus; within one they are as in `METHODS`."""
+
 
 @dataclass(frozen=True)
 class Method:
@@ -28,6 +32,8 @@ class Method:
         Stable: scripts, recipes and provenance name it.
     label : str
         For menus.
+    family : str
+        One of `FAMILIES`: what menus group it with.
     function : FillFunction
         The fill.
     params : type
@@ -41,6 +47,7 @@ class Method:
 
     id: str
     label: str
+    family: Family
     function: FillFunction
     params: type[Any]
     help: str
@@ -56,6 +63,7 @@ _ALL = (
     Method(
         id="constant",
         label="Constant",
+        family="Interpolation",
         function=interpolate.constant,
         params=interpolate.ConstantParams,
         help="Holds the value at one edge of the gap. Right only for a marker that stands still.",
@@ -63,6 +71,7 @@ _ALL = (
     Method(
         id="linear",
         label="Linear",
+        family="Interpolation",
         function=interpolate.linear,
         params=interpolate.LinearParams,
         help="A straight line between the edges of the gap. It cuts every curve of the motion; "
@@ -71,6 +80,7 @@ _ALL = (
     Method(
         id="cubic",
         label="Cubic spline",
+        family="Interpolation",
         function=interpolate.cubic,
         params=interpolate.CubicParams,
         help="A smooth curve through the samples on both sides. Good below about 0.2 s; above, "
@@ -79,6 +89,7 @@ _ALL = (
     Method(
         id="pchip",
         label="PCHIP",
+        family="Interpolation",
         function=interpolate.pchip,
         params=interpolate.PchipParams,
         help="A curve that never overshoots the edges of the gap. Safer than the cubic spline on "
@@ -87,6 +98,7 @@ _ALL = (
     Method(
         id="woltring",
         label="Woltring, quintic spline",
+        family="Interpolation",
         function=woltring.woltring,
         params=woltring.WoltringParams,
         help="A quintic spline that first smooths the samples beside the gap, by as much as "
@@ -97,6 +109,7 @@ _ALL = (
     Method(
         id="cyclic",
         label="Cyclic",
+        family="Interpolation",
         function=cyclic.cyclic,
         params=cyclic.CyclicParams,
         help="For gait, pedalling and other motion in cycles: takes the same phase of the "
@@ -106,6 +119,7 @@ _ALL = (
     Method(
         id="rigid",
         label="Rigid body",
+        family="Donors",
         function=local_frame.rigid,
         params=local_frame.RigidParams,
         help="Moves the marker with three or more donors that keep their distance to it, such as "
@@ -116,6 +130,7 @@ _ALL = (
     Method(
         id="pattern",
         label="Pattern",
+        family="Donors",
         function=local_frame.pattern,
         params=local_frame.PatternParams,
         help="Moves the marker along with one donor. For lack of better donors: it does not turn "
@@ -125,6 +140,7 @@ _ALL = (
     Method(
         id="local-frame",
         label="Local frame regression",
+        family="Donors",
         function=local_frame.local_frame,
         params=local_frame.LocalFrameParams,
         help="Learns from this recording how the marker moves beside its donors, in a frame that "
@@ -165,6 +181,7 @@ _ALL = (
     Method(
         id="kalman",
         label="Kalman, constant velocity",
+        family="Kalman",
         function=kalman.kalman,
         params=kalman.KalmanParams,
         help="Carries position and velocity into the gap from both sides, relative to the "
@@ -174,6 +191,7 @@ _ALL = (
     Method(
         id="auto",
         label="Automatic",
+        family="Automatic",
         function=auto.auto,
         params=auto.AutoParams,
         help="Learns from this very recording how the marker moves with all others that are seen "

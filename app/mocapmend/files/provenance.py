@@ -50,7 +50,7 @@ class RepairRecord:
     method : str
         Method id.
     parameters : dict
-        The method's parameters.
+        The method's parameters; lists of names are tuples.
     donors : tuple of str
         Labels of the markers that the repair was computed from.
     expected_error_mm, r90_mm : float
