@@ -17,7 +17,7 @@ from mocapmend.report import RepairRow
 from mocapmend.shared_recording import SharedRecording
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap, Recording
-from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.gaps import runs as find_runs
 from mocapmend_algorithms.skeleton import Skeleton
 
@@ -66,10 +66,19 @@ class Edit:
     repair: Repair | None = None
 
     @classmethod
-    def fill(cls, patch: Patch, method: str, params: object) -> "Edit":
+    def fill(
+        cls, patch: Patch, method: str, params: object, donors: tuple[str, ...] = ()
+    ) -> "Edit":
         """Make the edit that puts a method's patch in its gap."""
         states = np.full(patch.gap.length, SampleState.FILLED, np.uint8)
-        return cls(patch.gap, patch.values, states, Repair(method, params, patch))
+        return cls(patch.gap, patch.values, states, Repair(method, params, patch, donors))
+
+    @classmethod
+    def fills(cls, result: FillResult, method: str, params: object) -> list["Edit"]:
+        """Make the edits that put all patches of a method's result in their gaps."""
+        return [
+            cls.fill(patch, method, params, result.donors(patch.gap)) for patch in result.patches
+        ]
 
     @classmethod
     def clear(cls, gap: Gap) -> "Edit":
@@ -229,7 +238,7 @@ class Document(QObject):
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""
         return [
-            RepairRow.of(repair.patch, repair.method, self.original)
+            RepairRow.of(repair.patch, repair.method, self.original, repair.donors)
             for _, repair in sorted(self.repairs.items())
         ]
 

@@ -114,7 +114,10 @@ class Changes:
 def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
     """Return what a fill changes in a file; its earlier repairs stay."""
     runs = [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
-    new = [record(source, patch, method_id, params) for patch in result.patches]
+    new = [
+        record(source, patch, method_id, params, result.donors(patch.gap))
+        for patch in result.patches
+    ]
     return Changes(tuple(runs), (*source.repairs, *new))
 
 

@@ -252,7 +252,8 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     for job, result in zip(planned.jobs, results, strict=True):
         for patch in result.patches:
             values[patch.gap] = patch.values
-            kept[patch.gap] = record(source, patch, job.method, job.params)
+            donors = result.donors(patch.gap)
+            kept[patch.gap] = record(source, patch, job.method, job.params, donors)
     runs = [SampleRun(gap.marker, gap.start, values[gap]) for gap in sorted(values)]
     return Changes(tuple(runs), tuple(kept[gap] for gap in sorted(kept)))
 

@@ -26,7 +26,8 @@ GEOMETRY = Setting("window/geometry", b"")
 LAYOUT = Setting("window/layout", b"")
 RECENT_FILES = Setting[list[str]]("files/recent", [])
 LAST_FOLDER = Setting("files/last_folder", "")
-METHOD = Setting("repair/method", "cubic")
+METHOD = Setting("repair/method", "auto")
+LIMIT_GAP = Setting(key="repair/limit_gap", default=False)
 MAX_GAP_MS = Setting("repair/max_gap_ms", 200.0)
 LIMIT_ERROR = Setting(key="repair/limit_error", default=True)
 MAX_ERROR_MM = Setting("repair/max_error_mm", 20.0)
@@ -54,6 +55,10 @@ class Settings:
         """Return the remembered value, or the default."""
         value = _decode(self._store.value(setting.key), setting.default)
         return cast("Value", setting.default if value is None else value)
+
+    def chosen(self, setting: Setting[Value]) -> bool:
+        """Say whether a value was remembered."""
+        return _decode(self._store.value(setting.key), setting.default) is not None
 
     def set(self, setting: Setting[Value], value: Value) -> None:
         """Remember a value."""

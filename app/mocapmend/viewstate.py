@@ -28,6 +28,8 @@ class Preview:
         Why the gap stays open; empty when it is filled.
     note : dict
         What the method says of itself, such as its number of self-tests.
+    donors : tuple of str
+        Labels of the markers that the repair was computed from.
     """
 
     gap: Gap
@@ -36,6 +38,7 @@ class Preview:
     patch: Patch | None
     reason: str = ""
     note: Mapping[str, Any] = field(default_factory=dict)
+    donors: tuple[str, ...] = ()
 
 
 class ViewState(QObject):

@@ -13,6 +13,7 @@ from synthetic import (
     FILLS_ANYTHING,
     LEAVES_EDGES,
     MILLIMETRES,
+    MODEL_VARIANTS,
     VARIANTS,
     broken_recordings,
     fill_with,
@@ -216,7 +217,8 @@ def test_never_reads_samples_inside_the_gaps():
 
 
 def test_no_method_is_missing_from_the_variants():
-    assert {name for name, _ in VARIANTS + DONOR_VARIANTS} == set(METHODS)
+    every = VARIANTS + MODEL_VARIANTS + DONOR_VARIANTS
+    assert {name for name, _ in every} == set(METHODS)
 
 
 def test_scipy_interpolate_is_not_loaded_at_start():

@@ -25,19 +25,10 @@ class Nothing:
 
 
 def test_the_methods_and_their_order():
-    assert list(METHODS) == [
-        "constant",
-        "linear",
-        "cubic",
-        "pchip",
-        "woltring",
-        "cyclic",
-        "rigid",
-        "pattern",
-        "local-frame",
-        "kalman",
-        "auto",
-    ]
+    interpolations = ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
+    donors = ["rigid", "pattern", "local-frame"]
+    low_rank = ["pca-r1", "pca-r2", "burke-lasenby"]
+    assert list(METHODS) == [*interpolations, *donors, *low_rank, "kalman", "auto"]
     for key, entry in METHODS.items():
         assert entry.id == key
         assert entry.label

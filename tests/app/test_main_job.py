@@ -38,6 +38,14 @@ def wait_for_preview(qtbot: QtBot, workspace: Workspace) -> None:
     qtbot.waitUntil(lambda: workspace.view.preview is not None, timeout=20_000)
 
 
+def choose_cubic(workspace: Workspace) -> None:
+    """Choose a method that fills all gaps in a moment, up to 24 frames."""
+    repair = workspace.repair
+    repair._method.setCurrentIndex(repair._method.findData("cubic"))
+    repair._limit_gap.setChecked(True)
+    assert repair.max_gap() == 24
+
+
 def close_pair(workspace: Workspace) -> tuple[Gap, Gap]:
     """Return two short gaps of a marker with a few samples between them."""
     return next(
@@ -109,13 +117,13 @@ def test_the_whole_job_by_keyboard(
 def test_a_preview_beyond_the_limit_says_so(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
     wait_for_preview(qtbot, workspace)
-    assert "above the limit" not in workspace.repair._promise.text()
+    assert "Above the limit" not in workspace.repair._promise.text()
     gaps = [g for g in workspace.document.gaps if g.kind(workspace.view.frames) == "interior"]
     workspace.view.go_to(max(gaps, key=lambda gap: gap.length))
     wait_for_preview(qtbot, workspace)
-    assert "above the limit of 20 mm" in workspace.repair._promise.text()
+    assert "Above the limit of 20 mm" in workspace.repair._promise.text()
     workspace.repair._limit_error.setChecked(False)
-    assert "above the limit" not in workspace.repair._promise.text()
+    assert "Above the limit" not in workspace.repair._promise.text()
 
 
 def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None:
@@ -123,13 +131,12 @@ def test_fill_all_is_one_undoable_step(opened: MainWindow, qtbot: QtBot) -> None
     document = workspace.document
     before = document.points.copy()
     gaps = document.gaps
+    choose_cubic(workspace)
     qtbot.keyClick(opened, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
-    frames = workspace.repair.max_gap()
-    assert frames == 24
     filled = set(gaps) - set(document.gaps)
     assert filled
-    assert all(gap.length <= frames for gap in filled)
+    assert all(gap.length <= 24 for gap in filled)
     assert all(gap in document.repairs for gap in filled)
     qtbot.waitUntil(lambda: not workspace.repair.left_open.visibleRegion().isEmpty())
     qtbot.mouseClick(workspace.repair.left_open, Qt.MouseButton.LeftButton)
@@ -149,6 +156,7 @@ def test_window_and_command_line_write_the_same_bytes(
     opened: MainWindow, qtbot: QtBot, sprint: Path, tmp_path: Path
 ) -> None:
     workspace = workspace_of(opened)
+    choose_cubic(workspace)
     # One of two gaps that are close: if the second leant on the first, the bytes would differ.
     workspace.view.go_to(close_pair(workspace)[0])
     wait_for_preview(qtbot, workspace)
@@ -184,14 +192,20 @@ def test_a_preview_never_leans_on_other_fills(opened: MainWindow, qtbot: QtBot) 
     assert again.patch.sigma.tobytes() == alone.patch.sigma.tobytes()
 
 
-def test_a_fill_that_is_out_of_date_is_dropped(opened: MainWindow, qtbot: QtBot) -> None:
+def test_filling_all_leaves_what_was_repaired_meanwhile(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
+    document, gap = workspace.document, workspace.view.gap
+    choose_cubic(workspace)
     wait_for_preview(qtbot, workspace)
-    with qtbot.waitSignal(workspace.message, check_params_cb=lambda text: "meanwhile" in text):
-        workspace.fill_all()
-        workspace.apply_preview()
-    assert workspace.document.undo_stack.count() == 1
-    assert len(workspace.document.repairs) == 1
+    workspace.fill_all()
+    workspace.apply_preview()
+    assert list(document.repairs) == [gap]
+    own = document.repairs[gap]
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2, timeout=20_000)
+    assert len(document.repairs) > 100
+    assert document.repairs[gap] is own
+    document.undo_stack.undo()
+    assert list(document.repairs) == [gap]
 
 
 def test_only_the_last_choice_is_previewed(opened: MainWindow, qtbot: QtBot) -> None:
@@ -246,7 +260,7 @@ def test_opening_a_file_does_not_change_the_remembered_limit(
 def test_the_limit_is_shown_in_ms_too(opened: MainWindow) -> None:
     spin = workspace_of(opened).repair._max_gap
     spin.setValue(33)
-    assert spin.text() == "33 frames (275 ms)"
+    assert spin.text() == "≤ 33 frames (275 ms)"
 
 
 def test_a_click_on_the_timeline_scrubs_and_selects(opened: MainWindow, qtbot: QtBot) -> None:
@@ -318,6 +332,7 @@ def test_the_report_shows_before_and_after(opened: MainWindow, qtbot: QtBot) -> 
     first = pane.report
     assert first is not None
     assert np.array_equal(first.success_before.instantaneous, first.success_after.instantaneous)
+    choose_cubic(workspace)
     workspace.fill_all()
     qtbot.waitUntil(lambda: pane.report is not first and pane.report is not None, timeout=20_000)
     second = pane.report

@@ -5,9 +5,10 @@ from typing import Literal
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QLineEdit, QSpinBox
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QSpinBox
 from pytestqt.qtbot import QtBot
 
+from mocapmend.views.names_edit import NamesEdit
 from mocapmend.views.params_form import ParamsForm
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.registry import METHODS, Method
@@ -51,7 +52,7 @@ def test_every_kind_of_parameter_can_be_edited(form: ParamsForm, qtbot: QtBot) -
     assert lengths[1].text() == "automatic"
     with qtbot.waitSignal(form.changed):
         lengths[1].setValue(1.5)
-    names = form.findChild(QLineEdit, "names")
+    names = form.findChild(NamesEdit, "names").edit
     assert names.placeholderText() == "automatic"
     names.setText("a, b")
     with qtbot.waitSignal(form.changed):
@@ -59,6 +60,21 @@ def test_every_kind_of_parameter_can_be_edited(form: ParamsForm, qtbot: QtBot) -
     changed = Example(count=9, length=4.25, on=False, kind="this", free=1.5, names=("a", "b"))
     assert form.params() == changed
     assert lengths[0].suffix() == " mm"
+
+
+@dataclass(frozen=True)
+class Small:
+    penalty: float = option(1e-4, label="Penalty", text="Stiff.", minimum=1e-9, maximum=1e3)
+
+
+def test_a_small_number_is_shown_and_kept_as_it_is(form: ParamsForm) -> None:
+    form.show_class(Small)
+    box = form.findChild(QDoubleSpinBox)
+    assert box.text() == "0.0001"
+    box.setValue(2.5e-8)
+    assert form.params() == Small(2.5e-8)
+    box.setValue(12)
+    assert box.text() == "12"
 
 
 def test_another_method_replaces_the_form(form: ParamsForm) -> None:

@@ -58,6 +58,7 @@ def fill(window: MainWindow, method: str, longest: int, qtbot: QtBot) -> None:
     workspace = workspace_of(window)
     repair, before = workspace.repair, workspace.document.undo_stack.count()
     repair._method.setCurrentIndex(repair._method.findData(method))
+    repair._limit_gap.setChecked(True)
     repair._max_gap.setValue(longest)
     workspace.fill_all()
     qtbot.waitUntil(lambda: workspace.document.undo_stack.count() > before, timeout=20_000)

@@ -94,8 +94,10 @@ def test_a_replay_gives_the_same_bytes(
     result = engine.fill(source.measured, gaps, method, values, NO_LIMITS, no_progress)
     changes = engine.changes_of(source, result, method, values)
     assert len(changes.repairs) == len(result.patches)
-    # Other cycles are often incomplete in the same way.
-    assert len(result.patches) >= min(len(gaps), 20 if method == "cyclic" else 45)
+    # Other cycles are often incomplete in the same way; R1 predicts from markers without any gap,
+    # and the sprinter has none.
+    least = {"cyclic": 20, "pca-r1": 0 if name == "sprint_basketball" else 45}.get(method, 45)
+    assert len(result.patches) >= min(len(gaps), least)
     written = tmp_path / "recipe.json"
     recipe.write_recipe(source, changes.repairs, written)
     read = recipe.read_recipe(written)
@@ -104,6 +106,53 @@ def test_a_replay_gives_the_same_bytes(
     assert all(item.parameters == asdict(values) for item in read.fills)
     first = export(source, changes, tmp_path / "first.c3d")
     assert digest(first) == digest(replayed(path, written, tmp_path / "second.c3d"))
+
+
+@pytest.mark.parametrize("method", ["auto", "rigid", "pattern", "local-frame"])
+@pytest.mark.parametrize("end", ["c3d", "csv"])
+def test_donors_picked_by_hand_are_replayed(
+    holed: Path, method: str, end: str, tmp_path: Path
+) -> None:
+    source = read_recording(holed)
+    gaps = [gap for gap in interior(source) if gap.marker != 2]
+    picked = ("M002", "M004", "M003")
+    params = METHODS[method].params(donors=picked)
+    result = engine.fill(source.measured, gaps, method, params, NO_LIMITS, no_progress)
+    assert not result.unfilled
+    changes = engine.changes_of(source, result, method, params)
+    written = tmp_path / "recipe.json"
+    recipe.write_recipe(source, changes.repairs, written)
+    edits = json.loads(written.read_text())["edits"]
+    assert all(edit["parameters"]["donors"] == list(picked) for edit in edits)
+    made = recipe.read_recipe(written)
+    assert all(item.donors and set(item.donors) <= set(picked) for item in made.fills)
+    first = export(source, changes, tmp_path / f"first.{end}")
+    again = replayed(holed, written, tmp_path / f"again.{end}")
+    assert digest(first) == digest(again)
+    assert read_recording(again).repairs == read_recording(first).repairs
+
+    chosen = engine.fill(
+        source.measured, gaps, method, METHODS[method].params(), NO_LIMITS, no_progress
+    )
+    values = (np.concatenate([patch.values for patch in r.patches]) for r in (result, chosen))
+    assert not np.array_equal(*values), "the recording would have given other donors"
+
+
+def test_the_window_replays_donors_picked_by_hand(holed: Path, tmp_path: Path) -> None:
+    source = read_recording(holed)
+    gaps = [gap for gap in interior(source) if gap.marker == 0]
+    params = METHODS["auto"].params(donors=("M005", "M003"))
+    result = engine.fill(source.measured, gaps, "auto", params, NO_LIMITS, no_progress)
+    document = Document(source, Skeleton("", (), "none"))
+    edits = Edit.fills(result, "auto", params)
+    donors = {edit.repair.donors for edit in edits if edit.repair}
+    assert all(sorted(used) == ["M003", "M005"] for used in donors)
+    document.undo_stack.push(EditSamples(document, edits, "fill"))
+    assert {row.donors for row in document.repair_rows()} == donors
+    written = tmp_path / "recipe.json"
+    recipe.write_recipe(source, document.changes().repairs, written)
+    out = export(source, document.changes(), tmp_path / "out.c3d")
+    assert digest(out) == digest(replayed(holed, written, tmp_path / "again.c3d"))
 
 
 @settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -302,6 +351,13 @@ def test_a_gap_that_cannot_be_filled_stops_the_replay(holed: Path, tmp_path: Pat
         replayed(holed, tmp_path / "recipe.json", tmp_path / "out.c3d")
 
 
+def test_a_donor_that_is_not_there_stops_the_replay(holed: Path, tmp_path: Path) -> None:
+    written = tmp_path / "recipe.json"
+    written.write_text(json.dumps(document(AUTO | {"parameters": {"donors": ["Z"]}})))
+    with pytest.raises(MocapmendError, match="A gap of M001 cannot be filled: there is no marker"):
+        replayed(holed, written, tmp_path / "out.c3d")
+
+
 def test_a_replay_can_be_cancelled(holed: Path) -> None:
     def cancel(_: float) -> None:
         raise Cancelled
@@ -338,6 +394,7 @@ ITEM: dict[str, Any] = {
 }
 REOPENED = ITEM | {"do": "reopen"}
 KALMAN = ITEM | {"method": "kalman"}
+AUTO = ITEM | {"method": "auto"}
 HASH = "0" * 64
 
 
@@ -382,6 +439,9 @@ def nested(depth: int) -> Any:
         json.dumps(document(ITEM | {"r90_mm": float("nan")})).encode(),
         json.dumps(document(ITEM | {"marker": "M" * 10_000})).encode(),
         json.dumps(document(ITEM | {"donors": [1]})).encode(),
+        json.dumps(document(AUTO | {"parameters": {"donors": [1]}})).encode(),
+        json.dumps(document(AUTO | {"parameters": {"donors": [["A"]]}})).encode(),
+        json.dumps(document(AUTO | {"parameters": {"donors": ["M" * 10_000]}})).encode(),
         json.dumps(document(KALMAN | {"parameters": {"noise_mm": nested(300)}})).encode(),
         json.dumps(document(KALMAN | {"parameters": {"noise_mm": float("inf")}})).encode(),
         json.dumps(document({"do": "fill"})).encode(),
@@ -407,6 +467,7 @@ def test_what_is_no_recipe(content: bytes, tmp_path: Path) -> None:
         ([KALMAN | {"parameters": {"noise_mm": 1e15}}], "noise_mm must be at most"),
         ([KALMAN | {"parameters": {"noise_mm": "much"}}], "noise_mm must be a number"),
         ([KALMAN | {"parameters": {"noise_mm": True}}], "noise_mm must be a number"),
+        ([KALMAN | {"parameters": {"noise_mm": ["1"]}}], "noise_mm must not be a list"),
         ([KALMAN | {"parameters": {"direction": "up"}}], "direction must be one of"),
         ([KALMAN | {"parameters": {"direction": None}}], "direction must be one of"),
         ([ITEM | {"first_frame": -(10**12)}], "are not one of its gaps"),

@@ -41,7 +41,7 @@ def make(labels: tuple[str, ...] = ("A", "B", "C", "D")) -> tuple[Recording, Rec
 
 def summarised(labels: tuple[str, ...] = ("A", "B", "C", "D")) -> report.Report:
     before, after = make(labels)
-    repairs = [RepairRow(FILLED, "cubic", 4.25, 7.5)]
+    repairs = [RepairRow(FILLED, "cubic", 4.25, 7.5, ("B", "<C>"))]
     unfilled = [Unfilled(OPEN, "the marker is never seen again")]
     return report.summarise(before, after, SKELETON, repairs, unfilled, no_progress)
 
@@ -119,6 +119,8 @@ def test_row_of_a_patch_is_in_millimetres_and_knows_what_is_unknown() -> None:
     row = RepairRow.of(patch, "kalman", recording)
     assert row.expected_error_mm == pytest.approx(np.sqrt(3))
     assert row.r90_mm == pytest.approx(3)
+    assert row.donors == ()
+    assert RepairRow.of(patch, "auto", recording, ("B", "C")).donors == ("B", "C")
     unknown = RepairRow.of(Patch(Gap(0, 2, 5), values, nan, nan), "kalman", recording)
     assert np.isnan([unknown.expected_error_mm, unknown.r90_mm]).all()
 
@@ -226,7 +228,7 @@ def test_the_page_is_whole_and_needs_nothing_else() -> None:
     for part in (
         "walk.c3d", "It is odd.", "All is well.", "103 – 105", "109 – 110", "4.2", "7.5",
         "the marker is never seen again", "A – B", "time (s)", "length (mm)",
-        "2 further markers are",
+        "2 further markers are", "cubic (B, <C>)",
     ):  # fmt: skip
         assert part in text or part in page, part
 

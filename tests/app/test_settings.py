@@ -39,6 +39,14 @@ def test_a_value_comes_back_with_its_type(
     assert type(again.get(setting)) is type(value)
 
 
+def test_a_value_is_chosen_once_it_is_remembered(settings: Settings) -> None:
+    assert not settings.chosen(MAX_GAP_MS)
+    settings._store.setValue(MAX_GAP_MS.key, "nonsense")
+    assert not settings.chosen(MAX_GAP_MS)
+    settings.set(MAX_GAP_MS, MAX_GAP_MS.default)
+    assert settings.chosen(MAX_GAP_MS)
+
+
 @pytest.mark.parametrize("nonsense", ["NaN", "Infinity", "1e400", "-Infinity", "true"])
 def test_a_number_is_finite(settings: Settings, nonsense: str) -> None:
     settings._store.setValue(MAX_GAP_MS.key, nonsense)

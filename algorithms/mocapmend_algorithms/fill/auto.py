@@ -30,7 +30,7 @@ from mocapmend_algorithms.fill.pose_regression import Candidate, View
 from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
 DRIFT = (0.1, 10.0)
@@ -61,6 +61,9 @@ ALONE = View(frame=0, donors=0, power=1.0, up=0.0, acceleration=0.0)
 PULL = 0.1
 FEW = 6
 SIZE = Size(frames=400, trials=20, judged=10, rest=100)
+SHORT_S = 0.05
+SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
+"""Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
 ENOUGH = 3 * SIZE.frames
 
 
@@ -102,9 +105,8 @@ def auto(
         progress(done / len(gaps))
         try:
             case = _case(survey, gap, params)
-            patch, notes[gap] = _fill(
-                case, recording, lambda share, done=done: progress((done + share) / len(gaps))
-            )
+            share = part(progress, done / len(gaps), (done + 1) / len(gaps))
+            patch, notes[gap] = _fill(case, recording, share)
             patches.append(patch)
         except NoDonorsError as error:
             unfilled.append(Unfilled(gap, str(error)))
@@ -122,7 +124,8 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
         raise NoDonorsError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    return survey.case(gap, donors[_looked_at(donors)], SIZE)
+    short = gap.length <= SHORT_S * survey.recording.rate
+    return survey.case(gap, donors[_looked_at(donors)], SHORT_SIZE if short else SIZE)
 
 
 def _looked_at(donors: Donors) -> IntArray:

@@ -9,7 +9,7 @@ import numpy as np
 
 from mocapmend_algorithms.alignment import LEAST_FOR_ROTATION, turns
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
-from mocapmend_algorithms.fill.donors import Distances
+from mocapmend_algorithms.fill.donors import DonorDistances
 from mocapmend_algorithms.gaps import Gap, runs
 
 LONGEST_S = 1.0
@@ -26,14 +26,14 @@ class Completion:
         In mm; the bridges are written into it.
     observed : ndarray of bool, shape (frames, markers)
         The samples that may be looked at.
-    distances : Distances
+    distances : DonorDistances
         How the markers move with each other.
     rate : float
         Frames per second (Hz).
     """
 
     def __init__(
-        self, points: FloatArray, observed: BoolArray, distances: Distances, rate: float
+        self, points: FloatArray, observed: BoolArray, distances: DonorDistances, rate: float
     ) -> None:
         self._points = points
         self._observed = observed

@@ -72,6 +72,10 @@ class FillResult:
     unfilled: tuple[Unfilled, ...] = ()
     notes: dict[Gap, dict[str, Any]] = field(default_factory=dict)
 
+    def donors(self, gap: Gap) -> tuple[str, ...]:
+        """Return the labels of the markers that a gap was filled from, in the order of use."""
+        return tuple(self.notes.get(gap, {}).get("donors", ()))
+
 
 class FillFunction(Protocol):
     """A pure function that fills gaps: same input, same bytes; the input is never changed."""

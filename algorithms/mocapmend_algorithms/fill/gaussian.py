@@ -190,7 +190,8 @@ class _Pairs:
         product: FloatArray = poses @ samples.T
         square: FloatArray = np.einsum("ij,ij->i", poses, poses)
         theirs = square if among is None else among.square * among.scale
-        distance: FloatArray = square[:, None] - 2 * product
+        distance: FloatArray = -2 * product
+        distance += square[:, None]
         distance += theirs
         np.maximum(distance, 0.0, out=distance)
         np.sqrt(distance, out=distance)
@@ -203,9 +204,10 @@ class _Pairs:
         distance /= self.typical
 
     def covariance(self, kernel: Kernel, of_time: FloatArray) -> FloatArray:
-        scaled = self.distance * np.sqrt(3 / kernel.pose)
-        covariance: FloatArray = np.exp(-scaled)
-        scaled += 1
+        # In place: these are the largest arrays, and fresh memory costs as much as the numbers.
+        scaled = self.distance * -np.sqrt(3 / kernel.pose)
+        covariance: FloatArray = np.exp(scaled)
+        np.subtract(1.0, scaled, out=scaled)
         covariance *= scaled
         np.multiply(self.product, kernel.linear, out=scaled)
         covariance += scaled

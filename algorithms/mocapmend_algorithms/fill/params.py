@@ -4,9 +4,10 @@ A method's parameters are a frozen dataclass whose fields are made by `option`: 
 line and the documentation are generated from them.
 """
 
+import csv
 import dataclasses
 import types
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 WORDS = {"true": True, "yes": True, "on": True, "1": True}
@@ -15,7 +16,7 @@ LARGEST = 1e300
 """Of all numbers: whole ones that are larger cannot be written as others are."""
 AUTOMATIC = ("auto", "automatic", "none", "")
 Words = tuple[str, ...]
-"""The type of a parameter that lists names, separated by commas where it is text."""
+"""The type of a parameter that lists names; see `parse_words` for its form as text."""
 
 
 def option(
@@ -112,10 +113,26 @@ def restore(kind: type[Any], values: Mapping[str, Any]) -> Any:
 
 
 def parse_words(text: str) -> Words:
-    """Return the names in a text, separated by commas, each once; none where it says so."""
+    """Return the names in a text, separated by commas, each once; none where it says so.
+
+    A name that holds a comma itself stands in double quotes, as in a CSV file.
+    """
     if text.strip().lower() in AUTOMATIC:
         return ()
-    return tuple(dict.fromkeys(filter(None, map(str.strip, text.split(",")))))
+    (names,) = csv.reader([" ".join(text.splitlines())], skipinitialspace=True)
+    return tuple(dict.fromkeys(filter(None, map(str.strip, names))))
+
+
+def write_words(names: Sequence[str]) -> str:
+    """Return names as `parse_words` reads them."""
+    return ", ".join(map(_quoted, names))
+
+
+def _quoted(name: str) -> str:
+    if "," not in name and not name.startswith('"'):
+        return name
+    doubled = name.replace('"', '""')
+    return f'"{doubled}"'
 
 
 def _value(name: str, text: str, hint: Any) -> Any:

@@ -2,18 +2,24 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 from mocapmend_algorithms.fill import (
     auto,
+    burke_lasenby,
     cyclic,
     interpolate,
     kalman,
     local_frame,
     params,
+    pca,
     woltring,
 )
 from mocapmend_algorithms.fill.contract import FillFunction
+
+Family = Literal["Automatic", "Interpolation", "Donors", "Low rank", "Kalman"]
+FAMILIES: tuple[Family, ...] = get_args(Family)
+"""Kinds of methods, in the order of menus; within one they are as in `METHODS`."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +32,8 @@ class Method:
         Stable: scripts, recipes and provenance name it.
     label : str
         For menus.
+    family : str
+        One of `FAMILIES`: what menus group it with.
     function : FillFunction
         The fill.
     params : type
@@ -39,6 +47,7 @@ class Method:
 
     id: str
     label: str
+    family: Family
     function: FillFunction
     params: type[Any]
     help: str
@@ -54,6 +63,7 @@ _ALL = (
     Method(
         id="constant",
         label="Constant",
+        family="Interpolation",
         function=interpolate.constant,
         params=interpolate.ConstantParams,
         help="Holds the value at one edge of the gap. Right only for a marker that stands still.",
@@ -61,6 +71,7 @@ _ALL = (
     Method(
         id="linear",
         label="Linear",
+        family="Interpolation",
         function=interpolate.linear,
         params=interpolate.LinearParams,
         help="A straight line between the edges of the gap. It cuts every curve of the motion; "
@@ -69,6 +80,7 @@ _ALL = (
     Method(
         id="cubic",
         label="Cubic spline",
+        family="Interpolation",
         function=interpolate.cubic,
         params=interpolate.CubicParams,
         help="A smooth curve through the samples on both sides. Good below about 0.2 s; above, "
@@ -77,6 +89,7 @@ _ALL = (
     Method(
         id="pchip",
         label="PCHIP",
+        family="Interpolation",
         function=interpolate.pchip,
         params=interpolate.PchipParams,
         help="A curve that never overshoots the edges of the gap. Safer than the cubic spline on "
@@ -85,6 +98,7 @@ _ALL = (
     Method(
         id="woltring",
         label="Woltring, quintic spline",
+        family="Interpolation",
         function=woltring.woltring,
         params=woltring.WoltringParams,
         help="A quintic spline that first smooths the samples beside the gap, by as much as "
@@ -95,6 +109,7 @@ _ALL = (
     Method(
         id="cyclic",
         label="Cyclic",
+        family="Interpolation",
         function=cyclic.cyclic,
         params=cyclic.CyclicParams,
         help="For gait, pedalling and other motion in cycles: takes the same phase of the "
@@ -104,6 +119,7 @@ _ALL = (
     Method(
         id="rigid",
         label="Rigid body",
+        family="Donors",
         function=local_frame.rigid,
         params=local_frame.RigidParams,
         help="Moves the marker with three or more donors that keep their distance to it, such as "
@@ -114,6 +130,7 @@ _ALL = (
     Method(
         id="pattern",
         label="Pattern",
+        family="Donors",
         function=local_frame.pattern,
         params=local_frame.PatternParams,
         help="Moves the marker along with one donor. For lack of better donors: it does not turn "
@@ -123,6 +140,7 @@ _ALL = (
     Method(
         id="local-frame",
         label="Local frame regression",
+        family="Donors",
         function=local_frame.local_frame,
         params=local_frame.LocalFrameParams,
         help="Learns from this recording how the marker moves beside its donors, in a frame that "
@@ -130,17 +148,50 @@ _ALL = (
         fills_edges=True,
     ),
     Method(
+        id="pca-r1",
+        label="Principal components, all gaps at once",
+        function=pca.pca_r1,
+        params=pca.PcaR1Params,
+        help="Learns from the complete frames how the markers move together and predicts all "
+        "markers with gaps at once from those without any (Gløersen and Federolf 2016, R1). For "
+        "recordings with few gaps; it learns nothing of postures that no complete frame shows.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pca-r2",
+        label="Principal components, marker by marker",
+        function=pca.pca_r2,
+        params=pca.PcaR2Params,
+        help="Learns how the markers move together and predicts each marker with gaps from those "
+        "that are seen in them, near ones first (Gløersen and Federolf 2016, R2). Good for gaps "
+        "up to seconds in repetitive motion; poor where a marker's neighbours are missing too.",
+        fills_edges=True,
+    ),
+    Method(
+        id="burke-lasenby",
+        label="Low-dimensional Kalman smoother",
+        function=burke_lasenby.burke_lasenby,
+        params=burke_lasenby.BurkeLasenbyParams,
+        help="Learns from the complete frames in which few directions the whole body moves, and "
+        "follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good "
+        "for one marker in motion like that of the complete frames, poor where several markers "
+        "of a segment are missing.",
+        fills_edges=True,
+    ),
+    Method(
         id="kalman",
         label="Kalman, constant velocity",
+        family="Kalman",
         function=kalman.kalman,
         params=kalman.KalmanParams,
-        help="Carries position and velocity into the gap from both sides, with a band that says "
-        "how sure it is. It looks at one marker alone and cannot know what happened inside a "
-        "gap much longer than 0.2 s.",
+        help="Carries position and velocity into the gap from both sides, relative to the "
+        "neighbouring markers that are seen, and says how sure it is. Where none are, it looks at "
+        "one marker alone and cannot know what happened inside a gap much longer than 0.2 s.",
     ),
     Method(
         id="auto",
         label="Automatic",
+        family="Automatic",
         function=auto.auto,
         params=auto.AutoParams,
         help="Learns from this very recording how the marker moves with all others that are seen "

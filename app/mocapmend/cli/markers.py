@@ -37,14 +37,25 @@ def choose(source: Source, words: Sequence[str] | None) -> frozenset[int]:
     wanted = {part.strip() for part in parts} - {""}
     if not wanted:
         raise UsageError("--markers names no marker")
-    unknown = sorted(wanted.difference(labels))
+    require(source, wanted)
+    return frozenset(index for index, label in enumerate(labels) if label in wanted)
+
+
+def require(source: Source, wanted: Collection[str]) -> None:
+    """Make sure that a recording has markers of these labels.
+
+    Raises
+    ------
+    MocapmendError
+        If there is no such marker.
+    """
+    unknown = sorted(set(wanted).difference(source.recording.labels))
     if unknown:
-        known = list(dict.fromkeys(labels))
+        known = list(dict.fromkeys(source.recording.labels))
         listed = ", ".join(known[:MOST_LISTED]) + (", ..." if len(known) > MOST_LISTED else "")
         raise MocapmendError(
             f"There is no marker {unknown[0]!r}.", str(source.path), f"The markers are: {listed}."
         )
-    return frozenset(index for index, label in enumerate(labels) if label in wanted)
 
 
 def with_the_others(result: FillResult, gaps: Sequence[Gap], wanted: Collection[int]) -> FillResult:

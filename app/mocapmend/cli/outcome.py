@@ -16,6 +16,7 @@ from mocapmend.files import Source
 from mocapmend.report import About, RepairRow
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.fill.params import write_words
 from mocapmend_algorithms.fill.registry import Method
 
 
@@ -33,9 +34,10 @@ class Outcome:
     @cached_property
     def repairs(self) -> tuple[RepairRow, ...]:
         """The filled gaps."""
-        recording = self.source.recording
+        recording, method = self.source.recording, self.method.id
         return tuple(
-            RepairRow.of(patch, self.method.id, recording) for patch in self.result.patches
+            RepairRow.of(patch, method, recording, self.result.donors(patch.gap))
+            for patch in self.result.patches
         )
 
     @property
@@ -175,9 +177,9 @@ class Outcome:
 
     def _method_text(self) -> str:
         chosen = [
-            f"{field.name}={getattr(self.params, field.name)}"
+            f"{field.name}={_written(value)}"
             for field in dataclasses.fields(self.params)
-            if getattr(self.params, field.name) != field.default
+            if (value := getattr(self.params, field.name)) != field.default
         ]
         return self.method.id + (f" ({', '.join(chosen)})" if chosen else "")
 
@@ -191,3 +193,8 @@ class Outcome:
         if np.isfinite(self.limits.error_mm):
             parts.append(f"no expected error above {self.limits.error_mm:g} mm")
         return (", ".join(parts) or "none") + (" (default guard)" if self.limits.default else "")
+
+
+def _written(value: object) -> str:
+    """Return a parameter's value as the command line takes it."""
+    return write_words(value) if isinstance(value, tuple) else str(value)

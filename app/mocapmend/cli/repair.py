@@ -3,8 +3,9 @@
 A C3D file is copied and patched. A recording of another format, or for another format, is written
 as a new file; the ending of OUT says which.
 
-Without limits, gaps longer than 0.2 s and gaps whose expected error is above 20 mm stay open; the
-output lists them. --max-error and --max-gap replace these limits.
+Without limits, gaps stay open whose expected error is above 20 mm, and those longer than 0.2 s
+where the method interpolates or the error could not be estimated; the output lists them.
+--max-error and --max-gap replace these limits.
 """
 
 import argparse
@@ -23,7 +24,7 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
 
-DEFAULT_METHOD = "cubic"
+DEFAULT_METHOD = "auto"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -42,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="a parameter of the method; may be given several times",
+        help="a parameter of the method, such as donors=LASI,RASI; may be given several times",
     )
     parser.add_argument(
         "--max-gap", type=_frames, metavar="FRAMES", help="leave longer gaps open; 0 fills none"
@@ -80,6 +81,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     check_ending(source, out)
     common.show_warnings(source, console)
     _check_source(source, accept_truncated=arguments.accept_truncated)
+    markers.require(source, getattr(params, "donors", ()))
     limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
     result = _fill(source, arguments.markers, method, params, limits, console)
     console.start("Writing")

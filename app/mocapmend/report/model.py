@@ -35,10 +35,12 @@ class RepairRow:
     donors: tuple[str, ...] = ()
 
     @classmethod
-    def of(cls, patch: Patch, method: str, recording: Recording) -> "RepairRow":
+    def of(
+        cls, patch: Patch, method: str, recording: Recording, donors: tuple[str, ...] = ()
+    ) -> "RepairRow":
         """Describe a patch of a recording."""
         error, r90 = patch.expected_error * recording.mm, patch.typical_r90 * recording.mm
-        return cls(patch.gap, method, error, r90)
+        return cls(patch.gap, method, error, r90, donors)
 
     @classmethod
     def from_record(cls, gap: Gap, record: RepairRecord) -> "RepairRow":

@@ -23,6 +23,7 @@ class JobIndicator(QWidget):
         self._bar.setTextVisible(False)
         self._bar.setAccessibleName(self.tr("Progress"))
         self._cancel = QToolButton()
+        self._cancel.setObjectName("cancel_job")
         self._cancel.setText(self.tr("Cancel"))
         self._cancel.clicked.connect(self._stop)
         layout = QHBoxLayout(self)

@@ -1,6 +1,7 @@
 """A form for a method's parameters, made from its parameter class."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import Field, fields
 from types import NoneType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
@@ -11,12 +12,12 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
-    QLineEdit,
     QSpinBox,
     QWidget,
 )
 
-from mocapmend_algorithms.fill.params import Words, parse_words
+from mocapmend.views.names_edit import NamesEdit
+from mocapmend_algorithms.fill.params import Words
 
 Getter = Callable[[], Any]
 UNBOUNDED = 1_000_000
@@ -26,13 +27,22 @@ class ParamsForm(QWidget):
     """Edits an instance of a parameter dataclass.
 
     `changed` follows every change of the user's, `rebuilt` the making of new fields.
+
+    Parameters
+    ----------
+    markers : mapping of str to str
+        What the markers are called here, and their labels, for lists of them.
     """
 
     changed = Signal()
     rebuilt = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, markers: Mapping[str, str] | None = None, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
+        self._markers = markers or {}
+        self._selection: tuple[str, ...] = ()
         self._layout = QFormLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._kind: type[Any] | None = None
@@ -59,6 +69,12 @@ class ParamsForm(QWidget):
         assert self._kind is not None
         return self._kind(**{name: getter() for name, getter in self._getters.items()})
 
+    def set_selection(self, labels: Sequence[str]) -> None:
+        """Say which markers can be taken over into a list of markers."""
+        self._selection = tuple(labels)
+        for field in self.findChildren(NamesEdit):
+            field.set_selection(self._selection)
+
     def _editor(self, entry: Field[Any], hint: Any) -> tuple[QWidget, Getter]:
         if NoneType in get_args(hint):
             inner = next(part for part in get_args(hint) if part is not NoneType)
@@ -83,17 +99,17 @@ class ParamsForm(QWidget):
         return combo, combo.currentData
 
     def _words(self, default: Any) -> tuple[QWidget, Getter]:
-        """Make a line of names, separated by commas; an empty one is left to the method."""
-        edit = QLineEdit(", ".join(default))
-        edit.setPlaceholderText(self.tr("automatic"))
-        edit.editingFinished.connect(self.changed)
-        return edit, lambda: parse_words(edit.text())
+        edit = NamesEdit(default, self._markers)
+        edit.set_selection(self._selection)
+        edit.changed.connect(self.changed)
+        return edit, edit.labels
 
     def _number(
         self, entry: Field[Any], hint: type, default: Any
     ) -> tuple[QSpinBox | QDoubleSpinBox, Getter]:
-        spin: QSpinBox | QDoubleSpinBox = QSpinBox() if hint is int else QDoubleSpinBox()
         low, high = entry.metadata["min"], entry.metadata["max"]
+        small = min((x for x in (low, default) if x), default=1.0)
+        spin: QSpinBox | QDoubleSpinBox = QSpinBox() if hint is int else _NumberBox(small)
         spin.setRange(0 if low is None else low, UNBOUNDED if high is None else high)
         unit = entry.metadata.get("unit")
         spin.setSuffix(f" {unit}" if unit else "")
@@ -114,3 +130,19 @@ class ParamsForm(QWidget):
         spin.setValue(lowest if default is None else default)
         spin.blockSignals(False)  # noqa: FBT003 - Qt's own signature
         return spin, lambda: None if spin.value() < low else spin.value()
+
+
+class _NumberBox(QDoubleSpinBox):
+    """A number with as many decimals as it takes, 2 at least where a small one needs no more."""
+
+    def __init__(self, small: float) -> None:
+        super().__init__()
+        decimals = math.ceil(-math.log10(abs(small)))
+        if decimals > self.decimals():
+            self.setDecimals(decimals)
+            self.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
+
+    def textFromValue(self, value: float) -> str:
+        text = super().textFromValue(value)
+        point = self.locale().decimalPoint()
+        return text.rstrip("0").removesuffix(point) if self.decimals() > 2 else text

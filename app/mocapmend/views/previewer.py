@@ -82,7 +82,12 @@ class Previewer(QObject):
     def _show(self, gap: Gap, method: str, params: object, result: FillResult) -> None:
         if result.patches:
             preview = Preview(
-                gap, method, params, result.patches[0], note=result.notes.get(gap, {})
+                gap,
+                method,
+                params,
+                result.patches[0],
+                note=result.notes.get(gap, {}),
+                donors=result.donors(gap),
             )
         else:
             preview = Preview(gap, method, params, None, reason=result.unfilled[0].reason)

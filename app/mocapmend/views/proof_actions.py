@@ -142,7 +142,7 @@ class ProofActions(QObject):
         reopened = [gap for gap in planned.reopened if gap in document.repairs]
         edits = [Edit.clear(gap) for gap in reopened]
         for job, result in zip(planned.jobs, results, strict=True):
-            edits += [Edit.fill(patch, job.method, job.params) for patch in result.patches]
+            edits += Edit.fills(result, job.method, job.params)
         if not edits:
             self._window.say(self.tr("The recipe has nothing to do here."))
             return

@@ -1,5 +1,6 @@
 """The repair pane: the current gap, the method and what it promises, and filling all at once."""
 
+from collections.abc import Sequence
 from html import escape
 from typing import Any
 
@@ -8,7 +9,6 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDoubleSpinBox,
     QFormLayout,
     QGroupBox,
@@ -22,14 +22,25 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.document import Document
-from mocapmend.settings import LIMIT_ERROR, MAX_ERROR_MM, MAX_GAP_MS, METHOD, Settings
+from mocapmend.settings import (
+    LIMIT_ERROR,
+    LIMIT_GAP,
+    MAX_ERROR_MM,
+    MAX_GAP_MS,
+    METHOD,
+    Settings,
+)
 from mocapmend.views.action_button import ActionButton
+from mocapmend.views.method_box import MethodBox
 from mocapmend.views.params_form import ParamsForm
 from mocapmend.viewstate import Preview, ViewState
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.registry import METHODS, method_label
+from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms.fill.registry import method_label
 
 PANEL_WIDTH = 270
+MOST_DONORS = 6
+"""That are listed: the methods name the best ones first."""
 
 
 class RepairPanel(QScrollArea):
@@ -58,6 +69,7 @@ class RepairPanel(QScrollArea):
         self._document = document
         self._view = view
         self._settings = settings
+        self._names = dict(zip(document.original.labels, document.names, strict=True))
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -73,6 +85,8 @@ class RepairPanel(QScrollArea):
         room = self.verticalScrollBar().sizeHint().width() + 2
         self.setMinimumWidth(max(PANEL_WIDTH, body.minimumSizeHint().width() + room))
         self._show_method()
+        view.selection_changed.connect(self._offer_donors)
+        view.gap_changed.connect(self._offer_donors)
         view.gap_changed.connect(self._show_gap)
         view.preview_changed.connect(self._show_gap)
         document.samples_changed.connect(self._show_gap)
@@ -82,15 +96,15 @@ class RepairPanel(QScrollArea):
 
     def method(self) -> tuple[str, Any]:
         """Return the chosen method id and its parameters."""
-        return str(self._method.currentData()), self._form.params()
+        return self._method.method.id, self._form.params()
 
     def step_method(self, step: int) -> None:
         """Choose the next or the previous method of the list."""
-        self._method.setCurrentIndex((self._method.currentIndex() + step) % self._method.count())
+        self._method.step(step)
 
-    def max_gap(self) -> int:
-        """Return the longest gap that filling all may fill, in frames."""
-        return self._max_gap.value()
+    def max_gap(self) -> int | None:
+        """Return the longest gap that filling all may fill, in frames; None for any."""
+        return self._max_gap.value() if self._limit_gap.isChecked() else None
 
     def max_error_mm(self) -> float:
         """Return the largest expected error that filling all may accept, in mm."""
@@ -114,21 +128,28 @@ class RepairPanel(QScrollArea):
 
     def _make_gap_box(self, actions: dict[str, QAction]) -> QGroupBox:
         box = QGroupBox(self.tr("Current gap"))
-        layout = QVBoxLayout(box)
+        layout = _tight(box)
         self._title = QLabel()
         self._title.setWordWrap(True)
         self._title.setTextFormat(Qt.TextFormat.PlainText)
         steps = QHBoxLayout()
         steps.addWidget(ActionButton(actions["previous_gap"], self.tr("◀ Previous gap")))
         steps.addWidget(ActionButton(actions["next_gap"], self.tr("Next gap ▶")))
-        self._method = self._make_methods()
-        self._form = ParamsForm()
+        self._method = MethodBox(self._settings.get(METHOD))
+        self._method.currentIndexChanged.connect(self._choose_method)
+        self._form = ParamsForm({name: label for label, name in self._names.items()})
         self._form.changed.connect(self._announce)
         self._form.rebuilt.connect(self.rebuilt)
         self._promise = QLabel()
         self._promise.setWordWrap(True)
         self._promise.setTextFormat(Qt.TextFormat.RichText)
         self._promise.setMinimumHeight(self._promise.fontMetrics().height() * 4)
+        self._promise.setToolTip(
+            self.tr(
+                "Root mean square of the 3-D error, and the radius that holds 90 % of the errors, "
+                "on stretches of this recording that were hidden for the test."
+            )
+        )
         self._promise.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._apply = ActionButton(actions["apply"], self.tr("Apply"))
         self._clear = ActionButton(actions["clear_fill"], self.tr("Reopen the gap"))
@@ -142,26 +163,24 @@ class RepairPanel(QScrollArea):
         layout.addLayout(decide)
         return box
 
-    def _make_methods(self) -> QComboBox:
-        methods = QComboBox()
-        methods.setAccessibleName(self.tr("Method"))
-        for order, method in enumerate(METHODS.values()):
-            methods.addItem(method.label, method.id)
-            methods.setItemData(order, method.help, Qt.ItemDataRole.ToolTipRole)
-        methods.setCurrentIndex(max(0, methods.findData(self._settings.get(METHOD))))
-        methods.currentIndexChanged.connect(self._show_method)
-        return methods
-
     def _make_all_box(self, actions: dict[str, QAction]) -> QGroupBox:
         box = QGroupBox(self.tr("All gaps, with this method"))
-        layout = QVBoxLayout(box)
+        layout = _tight(box)
         rate = self._document.original.rate
+        self._limit_gap = QCheckBox(self.tr("length"))
+        # A length that an older version remembers was always a limit.
+        old = self._settings.chosen(MAX_GAP_MS) and not self._settings.chosen(LIMIT_GAP)
+        self._limit_gap.setChecked(old or self._settings.get(LIMIT_GAP))
+        self._limit_gap.toggled.connect(lambda on: self._settings.set(LIMIT_GAP, on))
         self._max_gap = QSpinBox()
         self._max_gap.setRange(0, max(1, self._document.original.frames))
+        self._max_gap.setPrefix("≤ ")
         self._max_gap.setAccessibleName(self.tr("Longest gap in frames"))
         remembered = self._settings.get(MAX_GAP_MS) * rate / 1000.0 + 1e-6
         self._max_gap.setValue(int(min(remembered, self._max_gap.maximum())))
         self._max_gap.valueChanged.connect(self._remember_limit)
+        self._max_gap.setEnabled(self._limit_gap.isChecked())
+        self._limit_gap.toggled.connect(self._max_gap.setEnabled)
         self._limit_error = QCheckBox(self.tr("expected error"))
         self._limit_error.setChecked(self._settings.get(LIMIT_ERROR))
         self._limit_error.toggled.connect(lambda on: self._settings.set(LIMIT_ERROR, on))
@@ -178,7 +197,7 @@ class RepairPanel(QScrollArea):
         self._limit_error.toggled.connect(self._show_gap)
         self._max_error.valueChanged.connect(self._show_gap)
         form = QFormLayout()
-        form.addRow(self.tr("up to"), self._max_gap)
+        form.addRow(self._limit_gap, self._max_gap)
         form.addRow(self._limit_error, self._max_error)
         self._outcome = QLabel()
         self._outcome.setWordWrap(True)
@@ -205,12 +224,21 @@ class RepairPanel(QScrollArea):
         self._show_limit()
         self._settings.set(MAX_GAP_MS, self._limit_ms())
 
+    def _choose_method(self) -> None:
+        self._settings.set(METHOD, self._method.method.id)
+        self._show_method()
+
     def _show_method(self) -> None:
-        method = METHODS[str(self._method.currentData())]
+        method = self._method.method
         self._method.setToolTip(method.help)
         self._form.show_class(method.params)
-        self._settings.set(METHOD, method.id)
         self._announce()
+
+    def _offer_donors(self) -> None:
+        """Let the other selected markers be taken over as donors."""
+        gap, labels = self._view.gap, self._document.original.labels
+        own = None if gap is None else gap.marker
+        self._form.set_selection([labels[m] for m in self._view.selection if m != own])
 
     def _announce(self) -> None:
         self.method_chosen.emit(*self.method())
@@ -227,7 +255,7 @@ class RepairPanel(QScrollArea):
             text = self.tr("Press N for the next gap, or click one on the timeline.")
         elif repair is not None:
             text = self.tr("Repaired with <b>{0}</b>.").format(method_label(repair.method))
-            text += self._error_text(repair.patch.expected_error)
+            text += " " + self._error_text(repair.patch) + self._donors_text(repair.donors)
         elif preview is None:
             text = self.tr("Computing the preview…")
         else:
@@ -261,28 +289,44 @@ class RepairPanel(QScrollArea):
     def _preview_text(self, preview: Preview) -> str:
         if preview.patch is None:
             return self.tr("<b>Stays open:</b> {0}").format(escape(preview.reason))
-        text = self._error_text(preview.patch.expected_error)
-        mm = self._document.original.mm
+        text = self._error_text(preview.patch)
         limit = self.max_error_mm()
-        if preview.patch.expected_error * mm > limit:
-            text += self.tr(", <b>⚠ above the limit of {0} mm</b>").format(f"{limit:g}")
-        radius = float(np.median(preview.patch.r90)) * mm
-        if np.isfinite(radius):
-            text += self.tr("; 90 % of the tests within {0} mm").format(f"{radius:.1f}")
+        if preview.patch.expected_error * self._document.original.mm > limit:
+            text += "<br>" + self.tr("<b>⚠ Above the limit of {0} mm</b>").format(f"{limit:g}")
+        text += self._donors_text(preview.donors)
         tests = preview.note.get("self_tests")
         if tests:
             where = (
-                self.tr("this marker")
-                if preview.note.get("tested_on") == "this marker"
-                else self.tr("all markers")
+                self.tr("all markers")
+                if preview.note.get("tested_on") == "all markers"
+                else self.tr("this marker")
             )
             text += "<br>" + self.tr("Measured on {0} hidden stretches of {1}.").format(
                 tests, where
             )
         return text
 
-    def _error_text(self, error: float) -> str:
-        mm = error * self._document.original.mm
-        if np.isfinite(mm):
-            return self.tr(" Expected error <b>{0} mm</b> RMS").format(f"{mm:.1f}")
-        return self.tr(" Expected error <b>unknown</b>: too little of the recording to test on")
+    def _error_text(self, patch: Patch) -> str:
+        mm = self._document.original.mm
+        error, radius = patch.expected_error * mm, patch.typical_r90 * mm
+        if not np.isfinite(error):
+            return self.tr("Expected error <b>unknown</b>: too little of the recording to test on")
+        text = self.tr("Expected error <b>{0} mm</b>").format(f"{error:.1f}")
+        if np.isfinite(radius):
+            text += self.tr(", 90 % within {0} mm").format(f"{radius:.1f}")
+        return text
+
+    def _donors_text(self, donors: Sequence[str]) -> str:
+        if not donors:
+            return ""
+        names = [escape(self._names.get(label, label)) for label in donors[:MOST_DONORS]]
+        listed = ", ".join(names) + (", …" if len(donors) > MOST_DONORS else "")
+        return "<br>" + self.tr("Donors: {0}").format(listed)
+
+
+def _tight(box: QWidget) -> QVBoxLayout:
+    """Lay out a box so that all of the pane fits into a small window."""
+    layout = QVBoxLayout(box)
+    layout.setContentsMargins(9, 6, 9, 6)
+    layout.setSpacing(4)
+    return layout

@@ -33,11 +33,12 @@ WIDEST_MARKER = 320
 
 
 class RepairModel(QAbstractTableModel):
-    """One row per repair: marker, frames, length, method, expected error, when it was made."""
+    """One row per repair: marker, frames, length, method, error, when it was made, donors."""
 
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
+        self._names = dict(zip(document.original.labels, document.names, strict=True))
         self._rows: list[tuple[Gap, Repair]] = []
         self._columns = (
             self.tr("Marker"),
@@ -46,6 +47,7 @@ class RepairModel(QAbstractTableModel):
             self.tr("Method"),
             self.tr("Expected error"),
             self.tr("Made"),
+            self.tr("Donors"),
         )
         document.samples_changed.connect(self._refresh)
         self._refresh()
@@ -103,6 +105,7 @@ class RepairModel(QAbstractTableModel):
             method_label(repair.method),
             f"{error:.1f} mm" if np.isfinite(error) else "—",
             self.tr("before") if self._document.is_earlier(gap) else self.tr("now"),
+            ", ".join(self._names.get(donor, donor) for donor in repair.donors),
         )
         return texts[column]
 
@@ -173,11 +176,12 @@ class RepairTable(QWidget):
             2: "00000",
             3: self.tr("Kalman, constant velocity"),
             4: "0000.0 mm",
+            5: INDENT + self.tr("before"),
         }
-        headers = [str(self._model.headerData(i, Qt.Orientation.Horizontal)) for i in range(6)]
+        headers = [str(self._model.headerData(i, Qt.Orientation.Horizontal)) for i in range(7)]
         widths = {i: max(advance(text), advance(headers[i])) + 24 for i, text in texts.items()}
         widths[0] = min(widths[0], WIDEST_MARKER)
-        narrow(table, widths, stretched=5)
+        narrow(table, widths, stretched=6)
         for column in INDENTED:
             table.setItemDelegateForColumn(column, Indented(table))
         table.clicked.connect(self._go_to)

@@ -29,7 +29,7 @@ from mocapmend.views.timeline import Timeline
 from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
-from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.fill.limits import Limits, default_frames
 from mocapmend_algorithms.fill.registry import method_label
 
 LAYOUT_VERSION = 2
@@ -166,7 +166,7 @@ class Workspace(QMainWindow):
         if preview.patch is None:
             self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
             return
-        edit = Edit.fill(preview.patch, preview.method, preview.params)
+        edit = Edit.fill(preview.patch, preview.method, preview.params, preview.donors)
         label = self.document.names[preview.gap.marker]
         self.push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
 
@@ -203,8 +203,7 @@ class Workspace(QMainWindow):
             params,
             limits,
         )
-        revision = document.revision
-        job.finished.connect(lambda result: self._accept_all(revision, method, params, result))
+        job.finished.connect(lambda result: self._accept_all(method, params, result))
         job.failed.connect(self.failed)
         job.cancelled.connect(lambda: self.message.emit(self.tr("Cancelled: nothing was filled.")))
         job.ended.connect(self._end_filling)
@@ -215,16 +214,18 @@ class Workspace(QMainWindow):
         self._filling = None
         self.repair.show_filling(running=False)
 
-    def _accept_all(self, revision: int, method: str, params: object, result: FillResult) -> None:
-        if revision != self.document.revision:
-            self.message.emit(
-                self.tr("The recording was edited meanwhile: nothing was filled. Fill again.")
-            )
-            return
+    def _accept_all(self, method: str, params: object, result: FillResult) -> None:
+        """Take what was filled; gaps that the user has repaired meanwhile stay as they are."""
+        still_open = set(self.document.gaps)
+        result = FillResult(
+            tuple(patch for patch in result.patches if patch.gap in still_open),
+            tuple(entry for entry in result.unfilled if entry.gap in still_open),
+            result.notes,
+        )
         self._left_open = result.unfilled
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
-            edits = [Edit.fill(patch, method, params) for patch in result.patches]
+            edits = Edit.fills(result, method, params)
             self.push(edits, self.tr("fill {0} gaps ({1})").format(filled, method))
         text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
         self.repair.show_outcome(text, open_gaps=bool(left))
@@ -243,15 +244,16 @@ class Workspace(QMainWindow):
         self.document.undo_stack.push(command)
 
     def _show_first_gap(self) -> None:
-        """Begin at the longest gap within the limit, with the whole recording in view."""
+        """Begin at the longest of the shorter gaps, with the whole recording in view."""
         original = self.document.original
         ordered = in_time_order(self.document.gaps, original.frames)
         seen = original.present.mean(axis=0) if original.frames else np.empty(0)
+        longest = default_frames(original.rate)
         within = [
             gap
             for gap in ordered
             if gap.kind(original.frames) == "interior"
-            and gap.length <= self.repair.max_gap()
+            and gap.length <= longest
             # Fragments of trajectories and frames without a body are no place to begin.
             and not original.labels[gap.marker].startswith("*")
             and seen[gap.marker] > 0.5

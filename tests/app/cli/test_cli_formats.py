@@ -70,7 +70,8 @@ def test_repair_and_replay(run_json: Json, kind: str, target: str, tmp_path: Pat
     np.testing.assert_array_equal(first, second)
     assert target == "trc" or digest(out) == digest(again)
     code, info = run_json("info", out)
-    assert [row["method"] for row in info["repairs"]] == ["cubic", "cubic"]
+    assert [row["method"] for row in info["repairs"]] == ["auto", "auto"]
+    assert [row["donors"] for row in info["repairs"]] == [row["donors"] for row in done["gaps"]]
 
 
 @pytest.mark.parametrize("kind", IMPORTED)
@@ -254,7 +255,7 @@ def test_info_lists_the_repairs(
     at = next(i for i, line in enumerate(lines) if line.startswith("Repaired marker"))
     assert lines[at].split("  ")[-1] == "Expected error (mm)"
     cells = lines[at + 1].split()
-    assert cells[:4] == ["B", "61-65", "5", "cubic"]
+    assert cells[:4] == ["B", "61-65", "5", "auto"]
     assert float(cells[4]) == pytest.approx(read_recording(out).repairs[0].expected_error_mm, 0.1)
     assert lines[at + 2 :] == []
 
