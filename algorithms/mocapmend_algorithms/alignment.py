@@ -7,6 +7,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray
 
 LEAST_FOR_ROTATION = 3
+IN_LINE = 1e-6
 SHAPE_ROUNDS = 2
 SHAPE_FRAMES = 100
 
@@ -54,7 +55,8 @@ def align(points: FloatArray, template: FloatArray, weights: FloatArray) -> Alig
     points : ndarray, shape (frames, group, 3)
         The group; a frame in which one of it is missing gets no alignment.
     template : ndarray, shape (group, 3)
-        Its shape. Fewer than three markers have no rotation: they are only moved.
+        Its shape. Fewer than three markers have no rotation: they are only moved. Those in one line
+        turn as little as they can.
     weights : ndarray, shape (group,)
         How much each marker counts, not negative, with a positive sum.
 
@@ -72,10 +74,30 @@ def align(points: FloatArray, template: FloatArray, weights: FloatArray) -> Alig
         return Alignment(rotation, centre, origin)
     around = points[seen] - centre[seen, None]
     weighted = share[:, None] * (template - origin)
-    left, _, right = np.linalg.svd(around.swapaxes(1, 2) @ weighted)
-    left[:, :, 2] *= np.sign(np.linalg.det(left @ right))[:, None]
-    rotation[seen] = left @ right
+    rotation[seen] = turns(around.swapaxes(1, 2) @ weighted)
     return Alignment(rotation, centre, origin)
+
+
+def turns(product: FloatArray) -> FloatArray:
+    """Return the rotations nearest to sums of products of a group's and its template's places.
+
+    Parameters
+    ----------
+    product : ndarray, shape (..., 3, 3)
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Those of markers in one line turn as little as they can.
+    """
+    left, size, right = np.linalg.svd(product)
+    line = size[..., 1] <= IN_LINE * size[..., 0]
+    if line.any():
+        steadied = product[line] + IN_LINE * size[line, 0, None, None] * np.eye(3)
+        left[line], _, right[line] = np.linalg.svd(steadied)
+    left[..., :, 2] *= np.sign(np.linalg.det(left @ right))[..., None]
+    rotation: FloatArray = left @ right
+    return rotation
 
 
 def standing(frames: int) -> Alignment:

@@ -1,5 +1,6 @@
 """Missing runs of a marker."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -53,6 +54,26 @@ def find_gaps(present: NDArray[np.bool_]) -> list[Gap]:
         for marker in np.flatnonzero(~present.all(axis=0)).tolist()
         for start, stop in runs(~present[:, marker])
     ]
+
+
+def seen_outside(present: NDArray[np.bool_], gaps: Iterable[Gap]) -> NDArray[np.bool_]:
+    """Return which samples a fill of some gaps may look at.
+
+    Parameters
+    ----------
+    present : ndarray of bool, shape (frames, markers)
+        Whether each sample is there; not changed.
+    gaps : iterable of Gap
+        To be filled: what a recording holds inside them is not to be looked at.
+
+    Returns
+    -------
+    ndarray of bool, shape (frames, markers)
+    """
+    seen = present.copy()
+    for gap in gaps:
+        seen[gap.start : gap.stop, gap.marker] = False
+    return seen
 
 
 def count_gaps(present: NDArray[np.bool_]) -> tuple[list[int], list[int]]:

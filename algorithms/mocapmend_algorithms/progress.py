@@ -16,3 +16,8 @@ class Progress(Protocol):
 
 def no_progress(fraction: float, /) -> None:
     """Ignore the report: for callers that neither show progress nor cancel."""
+
+
+def part(progress: Progress, start: float, stop: float) -> Progress:
+    """Return the progress of a part of a computation: its 0 to 1 is start to stop of the whole."""
+    return lambda fraction: progress(start * (1 - fraction) + stop * fraction)

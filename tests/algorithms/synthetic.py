@@ -2,6 +2,7 @@
 
 import numpy as np
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.fill.registry import METHODS, parse_params
@@ -20,11 +21,25 @@ VARIANTS = [
     ("linear", {"edges": "hold"}),
     ("cyclic", {"period": "0.3", "edges": "repeat"}),
     ("kalman", {}),
+    ("kalman", {"frame": "world"}),
+    ("kalman", {"bone_pull": "true"}),
     ("kalman", {"noise_mm": "5"}),
     ("kalman", {"direction": "causal"}),
     ("kalman", {"direction": "causal", "velocity_interval_ms": "40"}),
 ]
+DONOR_VARIANTS = [
+    ("rigid", {}),
+    ("rigid", {"donors": "M1,M2,M4,M5"}),
+    ("pattern", {}),
+    ("pattern", {"donors": "M1,M2,M4"}),
+    ("local-frame", {}),
+    ("local-frame", {"edges": "leave"}),
+    ("auto", {}),
+    ("auto", {"donors": "M1,M2,M4", "edges": "leave"}),
+]
+"""Of the methods that look at other markers; the others' are `VARIANTS`."""
 LEAVES_EDGES = [variant for variant in VARIANTS if "edges" not in variant[1]]
+LEAVES_EDGES += [variant for variant in DONOR_VARIANTS if variant[1].get("edges") == "leave"]
 FILLS_ANYTHING = [variant for variant in VARIANTS if variant != ("cyclic", {})]
 """A period that is given is believed; one that is not must be found first."""
 EDGE_TO_EDGE = [
@@ -37,6 +52,15 @@ EDGE_TO_EDGE = [
     ("kalman", {}),
 ]
 MILLIMETRES = ("noise_mm", "smoothing")
+MODEL_VARIANTS = [
+    ("pca-r1", {}),
+    ("pca-r1", {"meet_edges": "false"}),
+    ("pca-r2", {}),
+    ("pca-r2", {"weight_scale_mm": "500"}),
+    ("burke-lasenby", {}),
+    ("burke-lasenby", {"noise_mm": "1"}),
+]
+"""Of the methods that look at other markers; the others' are `VARIANTS`."""
 UNITS = ["mm", "cm", "m"]
 
 
@@ -61,6 +85,16 @@ def smooth_motion(frames, markers, *, seed=0, rate=100.0):
     phase = rng.uniform(0, 2 * np.pi, (markers, 3, 4))
     size = rng.uniform(20, 200, (markers, 3, 4)) / frequency
     return np.sum(size * np.sin(2 * np.pi * frequency * time + phase), axis=3)
+
+
+def bending_body(frames, markers, *, seed=0, modes=3, rate=100.0):
+    """A body of a metre that walks about and bends in a few ways; shape (frames, markers, 3)."""
+    rng = np.random.default_rng(seed)
+    shape = rng.uniform(-500, 500, (markers, 3))
+    bends = rng.normal(0, 0.4, (modes, markers, 3))
+    drive = smooth_motion(frames, modes, seed=seed + 1, rate=rate)[:, :, 0]
+    path = 3 * smooth_motion(frames, 1, seed=seed + 2, rate=rate / 4)
+    return shape + np.einsum("fk,kmc->fmc", drive, bends) + path
 
 
 def punch(points, gaps):
@@ -92,3 +126,14 @@ def broken_recordings(draw):
         unit=draw(st.sampled_from(UNITS)),
         first_frame=draw(st.integers(0, 70_001)),
     )
+
+
+def body_motion(frames, markers, *, seed=0, rate=100.0, skin=3.0):
+    """Markers of one limb: a shape that turns and travels, and skin that moves by millimetres."""
+    rng = np.random.default_rng(seed)
+    shape = rng.uniform(-150, 150, (markers, 3))
+    angles = smooth_motion(frames, 1, seed=seed + 1, rate=rate)[:, 0] / 400
+    travel = smooth_motion(frames, 1, seed=seed + 2, rate=rate)
+    turned = shape @ Rotation.from_rotvec(angles).as_matrix().swapaxes(1, 2)
+    sway = smooth_motion(frames, markers, seed=seed + 3, rate=rate)
+    return turned + travel + skin * sway / np.std(sway)

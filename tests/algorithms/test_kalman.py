@@ -11,7 +11,7 @@ from synthetic import fill_with, punch, record, smooth_motion
 
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.constant_velocity import bridge, constant_rate, prediction
-from mocapmend_algorithms.fill.kalman import process_noise
+from mocapmend_algorithms.fill.kalman_settings import process_noise
 
 CLEAN = (*range(-16, 0), *range(30, 46))
 RATIOS = st.floats(-4, 4).map(lambda power: 10.0**power)
@@ -145,6 +145,16 @@ def test_with_all_noise_the_bridge_is_a_straight_line():
 def test_two_samples_predict_along_their_line():
     weights, _ = prediction((-4, -1, 5), 5, 1.0, 1)
     np.testing.assert_allclose(weights @ [10.0, 16.0, 0.0], 16 + 2 * np.arange(1, 6))
+
+
+def test_the_velocity_is_that_over_the_fixed_interval():
+    # L21 eqs. 2 to 4: f moves on by v dt, and v is the change over the interval, divided by it;
+    # what lies between is not looked at.
+    values = np.random.default_rng(5).normal(0, 30, 8)
+    weights, _ = prediction((*range(-8, 0), 5), 5, 1.0, 7)
+    velocity = (values[7] - values[0]) / 7
+    expected = values[7] + velocity * np.arange(1, 6)
+    np.testing.assert_allclose(weights @ [*values, 0.0], expected)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import dataclasses
 import json
-from typing import Literal, get_args, get_type_hints
+from typing import Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
@@ -25,15 +25,10 @@ class Nothing:
 
 
 def test_the_methods_and_their_order():
-    assert list(METHODS) == [
-        "constant",
-        "linear",
-        "cubic",
-        "pchip",
-        "woltring",
-        "cyclic",
-        "kalman",
-    ]
+    interpolations = ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
+    donors = ["rigid", "pattern", "local-frame"]
+    low_rank = ["pca-r1", "pca-r2", "burke-lasenby"]
+    assert list(METHODS) == [*interpolations, *donors, *low_rank, "kalman", "auto"]
     for key, entry in METHODS.items():
         assert entry.id == key
         assert entry.label
@@ -55,7 +50,7 @@ def test_a_form_can_be_made_of_every_parameter():
             assert field.metadata["label"]
             assert field.metadata["help"].endswith(".")
             hint, value = hints[field.name], getattr(defaults, field.name)
-            kinds = (*get_args(hint), hint)
+            kinds = (*get_args(hint), get_origin(hint), hint)
             assert value in kinds or (value is None and type(None) in kinds) or type(value) in kinds
         with pytest.raises(dataclasses.FrozenInstanceError):
             defaults.anything = 1

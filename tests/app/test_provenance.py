@@ -26,7 +26,7 @@ from mocapmend.files.c3d_group import NAME, encode_group
 from mocapmend.files.c3d_head import free_group, insert_group, leading_blocks, remove_group
 from mocapmend.files.c3d_layout import read_layout
 from mocapmend.files.c3d_numbers import Processor
-from mocapmend.files.provenance import Provenance
+from mocapmend.files.provenance import Provenance, line
 from mocapmend.files.sidecar import hash_file, sidecar_path
 from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits
@@ -438,3 +438,12 @@ def test_a_change_beside_the_record_is_found(where: str, tmp_path: Path) -> None
     out.write_bytes(raw)
     report = check_files(source.path, out)
     assert not report.passed
+
+
+def test_a_parameter_may_be_a_list_of_names() -> None:
+    record = RepairRecord("A", 1, 11, 14, "kalman", {"donors": ("B", "Ψ D"), "noise_mm": None})
+    assert RepairRecord.from_json(json.loads(line(record))).parameters == record.parameters
+    for wrong in ([1.0], ["B", None], [["B"]], ["B" * 2000], {"B": "C"}):
+        data = record.as_json() | {"parameters": {"donors": wrong}}
+        with pytest.raises(ValueError, match="neither a number nor a text, nor a list"):
+            RepairRecord.from_json(data)

@@ -12,11 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.fill import pose_regression
-from mocapmend_algorithms.fill.band import band
+from mocapmend_algorithms.fill.band import SPEED_DONORS, band
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import NoDonorsError
+from mocapmend_algorithms.fill.donors import Donors, NoDonorsError
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.model_params import (
@@ -26,10 +27,10 @@ from mocapmend_algorithms.fill.model_params import (
     model_edges_option,
 )
 from mocapmend_algorithms.fill.pose_regression import Candidate, View
-from mocapmend_algorithms.fill.stack import Stack, blend
+from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
 DRIFT = (0.1, 10.0)
@@ -60,6 +61,9 @@ ALONE = View(frame=0, donors=0, power=1.0, up=0.0, acceleration=0.0)
 PULL = 0.1
 FEW = 6
 SIZE = Size(frames=400, trials=20, judged=10, rest=100)
+SHORT_S = 0.05
+SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
+"""Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
 ENOUGH = 3 * SIZE.frames
 
 
@@ -98,11 +102,11 @@ def auto(
     unfilled: list[Unfilled] = []
     notes: dict[Gap, dict[str, Any]] = {}
     for done, gap in enumerate(gaps):
+        progress(done / len(gaps))
         try:
             case = _case(survey, gap, params)
-            patch, notes[gap] = _fill(
-                case, recording, lambda share, done=done: progress((done + share) / len(gaps))
-            )
+            share = part(progress, done / len(gaps), (done + 1) / len(gaps))
+            patch, notes[gap] = _fill(case, recording, share)
             patches.append(patch)
         except NoDonorsError as error:
             unfilled.append(Unfilled(gap, str(error)))
@@ -120,7 +124,14 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
         raise NoDonorsError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    return survey.case(gap, donors, SIZE)
+    short = gap.length <= SHORT_S * survey.recording.rate
+    return survey.case(gap, donors[_looked_at(donors)], SHORT_SIZE if short else SIZE)
+
+
+def _looked_at(donors: Donors) -> IntArray:
+    """Return the places of donors that matter; the others would only cost frames and time."""
+    near = [donors.best(view.donors, view.nearness) for view, _ in CANDIDATES]
+    return np.unique(np.concatenate([*near, donors.best(SPEED_DONORS)]))
 
 
 def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, dict[str, Any]]:
@@ -163,5 +174,5 @@ def _unit(candidate: Candidate) -> float:
     """Return how many mm a candidate's unit of spread stands for, by its trials."""
     if not candidate.errors:
         return 1.0
-    error = np.mean(np.concatenate(candidate.errors) ** 2) * 3
+    error = max(float(np.mean(np.concatenate(candidate.errors) ** 2)) * 3, LEAST_MM**2)
     return float(np.sqrt(error / np.mean(np.concatenate(candidate.spreads) ** 2)))

@@ -13,7 +13,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.fill.case import Case
-from mocapmend_algorithms.fill.lessons import Trial
+from mocapmend_algorithms.fill.selftest import count_apart
 
 COVERAGE = 0.9
 MANY_TRIALS = 0.97
@@ -74,22 +74,14 @@ def band(
             for trial, error, own in zip(case.lesson.trials, errors, trial_spreads, strict=True)
         ]
     )
+    starts = np.array([trial.start for trial in case.lesson.trials])
     tried = case.lesson.trials[0].stop - case.lesson.trials[0].start
     longer = max(1.0, case.gap.length / tried) ** LENGTH_POWER
-    trust = MANY_TRIALS + FEW_TRIALS / _apart(case.lesson.trials)
+    trust = MANY_TRIALS + FEW_TRIALS / count_apart(starts, tried)
     scale = trust * longer * spread * hardness[case.samples :]
     return Band(
         scale * np.sqrt(np.mean(relative**2) / 3), scale * float(np.quantile(relative, COVERAGE))
     )
-
-
-def _apart(trials: Sequence[Trial]) -> int:
-    """Count how many trials do not overlap, greedily."""
-    count, free = 0, -1
-    for trial in trials:
-        if trial.start >= free:
-            count, free = count + 1, trial.stop
-    return count
 
 
 def _hardness(case: Case) -> FloatArray:

@@ -74,6 +74,11 @@ class Case:
         elapsed: FloatArray = np.maximum(frames, 1).astype(np.float64)
         return elapsed
 
+    def moved(self, donors: IntArray) -> Alignment:
+        """Return how the mean of some of the donors moves at the frames, without any turn."""
+        mean = self.at(donors).mean(axis=1, keepdims=True)
+        return align(mean, mean[0], np.ones(1))
+
     def aligned(self, donors: IntArray, weights: FloatArray) -> Alignment:
         """Return the motion of some of the donors at the frames."""
         if not donors.size:

@@ -7,9 +7,9 @@ learned from it is tested like all else.
 
 import numpy as np
 
-from mocapmend_algorithms.alignment import align
-from mocapmend_algorithms.arrays import BoolArray, FloatArray
-from mocapmend_algorithms.fill.donors import Distances, edges_seen
+from mocapmend_algorithms.alignment import LEAST_FOR_ROTATION, turns
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.donors import DonorDistances
 from mocapmend_algorithms.gaps import Gap, runs
 
 LONGEST_S = 1.0
@@ -26,14 +26,14 @@ class Completion:
         In mm; the bridges are written into it.
     observed : ndarray of bool, shape (frames, markers)
         The samples that may be looked at.
-    distances : Distances
+    distances : DonorDistances
         How the markers move with each other.
     rate : float
         Frames per second (Hz).
     """
 
     def __init__(
-        self, points: FloatArray, observed: BoolArray, distances: Distances, rate: float
+        self, points: FloatArray, observed: BoolArray, distances: DonorDistances, rate: float
     ) -> None:
         self._points = points
         self._observed = observed
@@ -54,8 +54,10 @@ class Completion:
         if marker in self._done:
             return
         self._done.add(marker)
-        for gap in self._bridged(marker):
-            self._points[gap.start : gap.stop, marker] = self._bridge(gap)
+        starts = np.array([gap.start for gap in self._bridged(marker)], dtype=np.int64)
+        lengths = np.array([gap.length for gap in self._bridged(marker)], dtype=np.int64)
+        for length in np.unique(lengths).tolist():
+            self._bridge(marker, starts[lengths == length], length)
 
     def _bridged(self, marker: int) -> list[Gap]:
         if marker not in self._gaps:
@@ -68,18 +70,40 @@ class Completion:
             ]
         return self._gaps[marker]
 
-    def _bridge(self, gap: Gap) -> FloatArray:
-        around = slice(gap.start - 1, gap.stop + 1)
-        known = self._distances.to(gap.marker)
-        seen = np.logical_and.reduce(self._observed[around][:, known.markers])
-        known = known[seen & edges_seen(self._observed, gap)[known.markers]]
-        share = (np.arange(1, gap.length + 1) / (gap.length + 1))[:, None]
-        ends = self._points[[gap.start - 1, gap.stop], gap.marker]
-        if not len(known):
-            straight: FloatArray = (1 - share) * ends[0] + share * ends[1]
-            return straight
-        best = known.best(NEIGHBOURS, NEARNESS)
-        donors = self._points[around][:, known.markers[best]]
-        frame = align(donors, donors[0], 1 / (known.spread[best] ** 2 + 1))
-        first, last = frame[:1].to_local(ends[:1]), frame[-1:].to_local(ends[1:])
-        return frame[1:-1].to_world((1 - share) * first + share * last)
+    def _bridge(self, marker: int, starts: IntArray, length: int) -> None:
+        """Bridge gaps of the same length."""
+        around = starts[:, None] + np.arange(-1, length + 1)
+        known = self._distances.to(marker)
+        known = known[known.best(len(known), NEARNESS)]
+        seen = self._observed[around][:, :, known.markers].all(axis=1)
+        chosen = seen & (np.cumsum(seen, axis=1) <= NEIGHBOURS)
+        count = chosen.sum(axis=1)
+        for neighbours in np.unique(count).tolist():
+            alike = count == neighbours
+            frames = around[alike]
+            best = np.nonzero(chosen[alike])[1].reshape(frames.shape[0], neighbours)
+            donors = self._points[frames[:, :, None], known.markers[best][:, None]]
+            ends = self._points[frames[:, [0, -1]], marker]
+            weights = 1 / (known.spread[best] ** 2 + 1)
+            self._points[frames[:, 1:-1], marker] = _moved(ends, donors, weights)
+
+
+def _moved(ends: FloatArray, donors: FloatArray, weights: FloatArray) -> FloatArray:
+    """Move markers with donors, shape (gaps, frames, donors, 3), between the first and last frame.
+
+    In the frame of reference of the donors, if any, they move straight.
+    """
+    gaps, frames, count, _ = donors.shape
+    centre = np.zeros((gaps, frames, 3))
+    turn = np.broadcast_to(np.eye(3), (gaps, frames, 3, 3))
+    if count:
+        share = weights / weights.sum(axis=1, keepdims=True)
+        centre = np.einsum("gfdi,gd->gfi", donors, share)
+    if count >= LEAST_FOR_ROTATION:
+        around = donors - centre[:, :, None]
+        turn = turns(np.einsum("gfdi,gd,gdj->gfij", around, share, around[:, 0]))
+    local = np.einsum("gfi,gfij->gfj", ends - centre[:, [0, -1]], turn[:, [0, -1]])
+    part = np.linspace(0, 1, frames)[1:-1, None]
+    between = (1 - part) * local[:, :1] + part * local[:, 1:]
+    moved: FloatArray = np.einsum("gfij,gfj->gfi", turn[:, 1:-1], between) + centre[:, 1:-1]
+    return moved

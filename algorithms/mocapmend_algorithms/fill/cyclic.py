@@ -18,7 +18,7 @@ from mocapmend_algorithms.fill.cycles import Place, from_cycles
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.period import find_period
 from mocapmend_algorithms.fill.selftest import Calibration, TrialFinder, calibrate
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
@@ -93,9 +93,7 @@ class _Filler:
     def __init__(self, recording: Recording, gaps: Sequence[Gap], params: CyclicParams) -> None:
         self._recording = recording
         self._params = params
-        self._seen = recording.present.copy()
-        for gap in gaps:
-            self._seen[gap.start : gap.stop, gap.marker] = False
+        self._seen = seen_outside(recording.present, gaps)
         self._finder = TrialFinder(self._seen)
         self._periods: dict[int, float | None] = {}
         self._tests: dict[tuple[int, int, bytes], tuple[Calibration | None, dict[str, Any]]] = {}

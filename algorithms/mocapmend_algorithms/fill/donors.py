@@ -3,8 +3,10 @@
 A good donor keeps its distance to the marker, is near it, and is seen while the marker is missing.
 """
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -12,7 +14,14 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.gaps import Gap
 
 MOST_FRAMES = 600
+Seen = Callable[[int], BoolArray]
+"""Whether each sample of a marker may be looked at, shape (frames,)."""
+
 LEAST_TOGETHER = 3
+CLIPPED = (0.01, 0.99)
+MOST_CORNERS = 8
+FLAT = 0.05
+"""Height of a triangle relative to its longest side, below which its corners are in one line."""
 
 
 class NoDonorsError(ValueError):
@@ -57,8 +66,12 @@ class Donors:
         return Donors(self.markers[chosen], self.spread[chosen], self.distance[chosen])
 
 
-class Distances:
-    """Distances between the markers of a recording, measured on up to 600 of its frames.
+class DonorDistances:
+    """How far apart the markers of a recording are, as a measure of how well they are donors.
+
+    Donors are ranked and weighted by it, not admitted: so the spread is a standard deviation, to
+    which a swing in a few frames adds its part, with only 1 % clipped off at each end for spikes,
+    over up to 600 frames; three frames together are enough, as the fill is tested anyway.
 
     Parameters
     ----------
@@ -79,20 +92,47 @@ class Distances:
             self._known[marker] = self._measure(marker)
         return self._known[marker]
 
+    def triangle(self, donors: Donors) -> IntArray:
+        """Return the places of the best three donors, which show a turn: not those in one line.
+
+        Where all are in one line, they are the best three all the same.
+        """
+        order = donors.best(MOST_CORNERS)
+        corners = sorted(combinations(range(order.size), 3), key=max)
+        triples = [order[list(triple)] for triple in corners]
+        wide = (triple for triple in triples if not self._in_line(donors.markers[triple]))
+        return next(wide, order[:3])
+
+    def _in_line(self, triple: IntArray) -> bool:
+        a, b, c = sorted(self._apart(*pair) for pair in combinations(triple.tolist(), 2))
+        half = (a + b + c) / 2
+        square = half * (half - a) * (half - b) * (half - c)
+        height = 2 * math.sqrt(max(square, 0.0)) / (c or 1.0)
+        return height <= FLAT * c
+
+    def _apart(self, one: int, other: int) -> float:
+        known = self.to(one)
+        return float(known.distance[known.markers == other].sum())
+
     def _measure(self, marker: int) -> Donors:
         frames = np.flatnonzero(self._observed[:, marker])
         frames = frames[np.unique(np.linspace(0, frames.size - 1, MOST_FRAMES).astype(np.int64))]
         seen = self._observed[frames]
         apart = self._points[frames] - self._points[frames, marker][:, None]
-        distance = np.where(seen, np.sqrt(np.einsum("fmi,fmi->fm", apart, apart)), 0.0)
         together = seen.sum(axis=0)
         together[marker] = 0
         others = np.flatnonzero(together >= LEAST_TOGETHER)
+        square = np.einsum("fmi,fmi->fm", apart[:, others], apart[:, others])
+        distance = np.sort(np.where(seen[:, others], np.sqrt(square), np.inf), axis=0)
         count = together[others]
-        mean = distance[:, others].sum(axis=0) / count
-        around = np.where(seen[:, others], distance[:, others] - mean, 0.0)
-        spread = np.sqrt((around**2).sum(axis=0) / count)
-        return Donors(others, spread, mean)
+        # Single spikes must not hide that two markers belong together.
+        ends = np.round(np.multiply.outer(CLIPPED, count - 1)).astype(np.int64)
+        low, high = np.take_along_axis(distance, ends, axis=0)
+        real = np.isfinite(distance)
+        clipped = np.where(real, np.clip(distance, low, high), 0.0)
+        mean = clipped.sum(axis=0) / count
+        around = np.where(real, clipped - mean, 0.0)
+        return Donors(others, np.sqrt((around**2).sum(axis=0) / count), mean)
 
 
 def by_label(known: Sequence[str], labels: Sequence[str]) -> IntArray:
@@ -126,7 +166,7 @@ def by_label(known: Sequence[str], labels: Sequence[str]) -> IntArray:
 
 
 def check_seen(
-    labels: Sequence[str], observed: BoolArray, gap: Gap, donors: IntArray, *, at_edges: bool
+    labels: Sequence[str], seen: Seen, gap: Gap, donors: IntArray, *, at_edges: bool
 ) -> None:
     """Make sure that donors are seen throughout a gap.
 
@@ -134,8 +174,8 @@ def check_seen(
     ----------
     labels : sequence of str
         Of all markers.
-    observed : ndarray of bool, shape (frames, markers)
-        The samples that may be looked at.
+    seen : callable
+        Whether each sample of a marker may be looked at, shape (frames,).
     gap : Gap
         To be filled.
     donors : ndarray of int
@@ -152,14 +192,15 @@ def check_seen(
         label = labels[marker]
         if marker == gap.marker:
             raise NoDonorsError(f"{label} cannot be its own donor")
-        if not observed[gap.start : gap.stop, marker].all():
+        there = seen(marker)
+        if not there[gap.start : gap.stop].all():
             raise NoDonorsError(f"the donor {label} is missing in the gap too")
-        if at_edges and not edges_seen(observed, gap)[marker]:
+        if at_edges and not edges_seen(there, gap):
             raise NoDonorsError(f"the donor {label} is missing at an edge of the gap")
 
 
 def edges_seen(observed: BoolArray, gap: Gap) -> BoolArray:
-    """Return which markers are seen at the frames before and after a gap."""
+    """Return whether a marker, or which of several, are seen just before and after a gap."""
     edges = [frame for frame in (gap.start - 1, gap.stop) if 0 <= frame < observed.shape[0]]
     seen: BoolArray = np.logical_and.reduce(observed[edges])
     return seen

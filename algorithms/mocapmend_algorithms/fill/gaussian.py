@@ -17,6 +17,9 @@ MOST_SPREAD = 16
 """Inputs at which the posterior's standard deviation is computed; between them, a line."""
 MOST_ASKED = 2000
 """Inputs that are worked on at a time: their covariances with the samples are held in memory."""
+LEAST_TYPICAL = 1e-3
+"""Poses nearer to each other than this are the same: the rest is rounding."""
+MOST_NOISE = 1e3
 
 
 @dataclass(frozen=True)
@@ -187,11 +190,12 @@ class _Pairs:
         product: FloatArray = poses @ samples.T
         square: FloatArray = np.einsum("ij,ij->i", poses, poses)
         theirs = square if among is None else among.square * among.scale
-        distance: FloatArray = square[:, None] - 2 * product
+        distance: FloatArray = -2 * product
+        distance += square[:, None]
         distance += theirs
         np.maximum(distance, 0.0, out=distance)
         np.sqrt(distance, out=distance)
-        self.scale: float = (float(np.mean(square)) or 1.0) if among is None else among.scale
+        self.scale: float = _size(square) if among is None else among.scale
         self.typical: float = _typical(distance) if among is None else among.typical
         self.square: FloatArray = square / self.scale
         self.product: FloatArray = product
@@ -200,9 +204,10 @@ class _Pairs:
         distance /= self.typical
 
     def covariance(self, kernel: Kernel, of_time: FloatArray) -> FloatArray:
-        scaled = self.distance * np.sqrt(3 / kernel.pose)
-        covariance: FloatArray = np.exp(-scaled)
-        scaled += 1
+        # In place: these are the largest arrays, and fresh memory costs as much as the numbers.
+        scaled = self.distance * -np.sqrt(3 / kernel.pose)
+        covariance: FloatArray = np.exp(scaled)
+        np.subtract(1.0, scaled, out=scaled)
         covariance *= scaled
         np.multiply(self.product, kernel.linear, out=scaled)
         covariance += scaled
@@ -217,11 +222,25 @@ class _Fit:
         from scipy import linalg
 
         self._kernel = kernel
-        covariance = among.covariance(kernel, times.among(kernel))
-        np.einsum("ii->i", covariance)[:] += kernel.noise
-        # Its transpose is the same and in the order of columns, which spares a copy.
-        self._root = linalg.cholesky(covariance.T, lower=True, overwrite_a=True, check_finite=False)
+        self._root = self._factorise(kernel.noise, among, times.among(kernel))
         self._weights = linalg.cho_solve((self._root, True), values, check_finite=False)
+
+    def _factorise(self, noise: float, among: _Pairs, of_time: FloatArray) -> FloatArray:
+        from scipy import linalg
+
+        covariance = among.covariance(self._kernel, of_time)
+        np.einsum("ii->i", covariance)[:] += noise
+        try:
+            # Its transpose is the same and in the order of columns, which spares a copy.
+            root: FloatArray = linalg.cholesky(
+                covariance.T, lower=True, overwrite_a=True, check_finite=False
+            )
+        except linalg.LinAlgError:
+            # Poses that are alike beside one far away: their distances are little but rounding.
+            if noise > MOST_NOISE:
+                raise
+            return self._factorise(10 * noise, among, of_time)
+        return root
 
     def predict(self, pairs: _Pairs, of_time: FloatArray) -> FloatArray:
         predicted: FloatArray = pairs.covariance(self._kernel, of_time) @ self._weights
@@ -266,9 +285,13 @@ def _of_time(kernel: Kernel, seconds: FloatArray) -> FloatArray:
     return total
 
 
+def _size(square: FloatArray) -> float:
+    return max(float(np.mean(square)), LEAST_TYPICAL**2)
+
+
 def _typical(distance: FloatArray) -> float:
     step = max(1, distance.shape[0] // 100)
-    return float(np.median(distance[::step, ::3])) or 1.0
+    return max(float(np.median(distance[::step, ::3])), LEAST_TYPICAL)
 
 
 def _between(values: FloatArray, places: IntArray, count: int) -> FloatArray:

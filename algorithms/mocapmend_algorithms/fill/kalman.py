@@ -8,36 +8,39 @@ what the filter makes of a window is a fixed matrix times the observed samples.
 Two-sided, the default: filters from both sides are combined in the gap, and what is left over at
 the two edge samples is carried linearly into it. Causal: the filter from the left alone, as a live
 system would show; it does not meet the edges.
+
+In the local frame, the default, the common rigid motion of the marker's neighbours is taken out
+before and put back after; the world frame is as printed. Samples that the marker jumps to (eq. 1)
+and those that an innovation gate refuses are not looked at. Predicted points may be pulled to the
+bone lengths.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.fill.constant_velocity import bridge, prediction
-from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.bones import Bones, pull
+from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.donors import NoDonorsError, by_label, check_seen
+from mocapmend_algorithms.fill.excerpt import Excerpt, cut, excerpt_frames
+from mocapmend_algorithms.fill.gate import MOST_SAMPLES, unbelievable
+from mocapmend_algorithms.fill.kalman_settings import causal, two_sided, velocity_steps
+from mocapmend_algorithms.fill.neighbours import choose_donors
 from mocapmend_algorithms.fill.params import option
-from mocapmend_algorithms.fill.window import (
-    Candidate,
-    WindowMethod,
-    fill_windows,
-)
+from mocapmend_algorithms.fill.trusted import TrustedSamples
+from mocapmend_algorithms.fill.window import Candidate, WindowMethod, fill_windows
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 REACH = 16
-INTERVALS_MS = (0.0, 25.0, 50.0, 100.0)
-RATIOS = (1.0, 0.01, 0.1, 10.0, 100.0, 1000.0)
-CAUSAL_RATIOS = (1.0, 0.01, 100.0)
-LEAST_RATIO, MOST_RATIO = 1e-6, 1e6
-VELOCITY_LAG_S = 0.1
-
-Steps = tuple[int, ...]
+MOST_BONES = 4
+LOOSEST_BONE = 0.02
+LEAST_SPREAD_MM = 0.5
 
 
 @dataclass(frozen=True)
@@ -49,6 +52,20 @@ class KalmanParams:
         label="Direction",
         text="Two-sided uses the samples before and after the gap; causal only those before, "
         "as a live system must.",
+    )
+    frame: Literal["local", "world"] = option(
+        "local",
+        label="Frame",
+        text="Local: the common rigid motion of the neighbouring markers is taken out first; "
+        "where fewer than three keep their distance and are seen all along, the world frame is "
+        "used. World: as printed in the paper.",
+    )
+    donors: tuple[str, ...] = option(
+        (),
+        label="Donors",
+        text="Local frame only: the labels of the markers whose common motion is taken out; one "
+        "or two are followed without their rotation. Automatic: the four that keep their "
+        "distance to the marker best.",
     )
     noise_mm: float | None = option(
         None,
@@ -67,6 +84,31 @@ class KalmanParams:
         minimum=0.0,
         maximum=1000.0,
         unit="ms",
+    )
+    jump_mm: float | None = option(
+        None,
+        label="Jump",
+        text="A marker that moves further between two frames was lost or is wrong there, and its "
+        "samples beside such a jump are not trusted. A large number switches this off. "
+        "Automatic: estimated from the motion of each marker.",
+        minimum=0.0,
+        maximum=1e6,
+        unit="mm",
+    )
+    gate: float = option(
+        5.0,
+        label="Gate",
+        text="A single sample beside the gap is not trusted if it lies more than this many "
+        "standard deviations from what the filter makes of the others. A large number switches "
+        "this off.",
+        minimum=1.0,
+        maximum=1e6,
+    )
+    bone_pull: bool = option(
+        False,  # noqa: FBT003 - the default of a form
+        label="Pull to bone lengths",
+        text="Moves the predicted points towards the lengths of the bones to up to four markers "
+        "at a nearly constant distance, as far as the filter is unsure and the lengths are not.",
     )
 
 
@@ -89,99 +131,119 @@ def kalman(
     Returns
     -------
     FillResult
-        `sigma` is the smoother's, multiplied by a factor that the self-tests measure.
+        `sigma` is the smoother's, multiplied by a factor that the self-tests measure. The notes
+        hold the `frame`; in the local one the labels of the `donors`; where there are any, the
+        numbers of the `distrusted` frames in the window and the labels at the ends of the `bones`.
     """
-    causal = params.direction == "causal"
-    steps = _steps(params.velocity_interval_ms, recording.rate) if causal else (1,)
-    method = WindowMethod(
-        lambda points: _candidates(points, recording, params, steps),
-        "the filter",
-        reach=max(REACH, 4 * max(steps)),
-        least_before=2 if causal else 1,
-    )
-    return fill_windows(recording, gaps, method, progress)
+    filler = _Filler(recording, gaps, params)
+    patches: list[Patch] = []
+    unfilled: list[Unfilled] = []
+    notes: dict[Gap, dict[str, Any]] = {}
+    for done, gap in enumerate(gaps):
+        progress(done / len(gaps))
+        outcome = filler.fill(gap)
+        if isinstance(outcome, str):
+            unfilled.append(Unfilled(gap, outcome))
+        else:
+            patch, notes[gap] = outcome
+            patches.append(patch)
+    progress(1.0)
+    return FillResult(tuple(patches), tuple(unfilled), notes)
 
 
-def _steps(interval_ms: float | None, rate: float) -> Steps:
-    intervals = INTERVALS_MS if interval_ms is None else (interval_ms,)
-    return tuple(sorted({max(1, round(ms / 1000 * rate)) for ms in intervals}))
+class _Filler:
+    """Fills the gaps of one recording."""
+
+    def __init__(self, recording: Recording, gaps: Sequence[Gap], params: KalmanParams) -> None:
+        self._recording = recording
+        self._params = params
+        self._samples = TrustedSamples(recording, gaps, params.jump_mm)
+        self._method = _window_method(recording, params)
+
+    def fill(self, gap: Gap) -> tuple[Patch, dict[str, Any]] | str:
+        """Fill a gap and say how, or why not."""
+        samples = self._samples
+        window = samples.window(gap, self._method.reach)
+        try:
+            donors = self._donors(gap, window)
+        except NoDonorsError as error:
+            return str(error)
+        frames = excerpt_frames(gap, window, self._recording.frames)
+        near = partial(samples.near, gap.marker)
+        span = int(np.ptp(window)) + 1 if window.size else gap.length
+        excerpt = cut(self._recording, samples.seen, gap, frames, span, near, donors)
+        refused = _refused(excerpt, window - frames.start, self._params.gate)
+        if refused.size:
+            excerpt = excerpt.without(refused)
+        result = fill_windows(excerpt.recording, [excerpt.gap], self._method, no_progress)
+        if result.unfilled:
+            return result.unfilled[0].reason
+        (part,) = result.patches
+        patch = Patch(gap, excerpt.to_world(part.values), part.sigma, part.r90)
+        notes = {**result.notes[part.gap], "frame": "local" if donors else "world"}
+        if donors:
+            notes["donors"] = self._labels(donors)
+        if distrusted := self._distrusted(gap, window, refused + frames.start):
+            notes["distrusted"] = distrusted
+        return self._pulled(patch, notes) if self._params.bone_pull else (patch, notes)
+
+    def _donors(self, gap: Gap, window: IntArray) -> tuple[int, ...]:
+        after = int(np.searchsorted(window, gap.start))
+        if self._params.frame == "world" or after in (0, window.size):
+            return ()
+        seen, labels = self._samples.seen, self._recording.labels
+        if not self._params.donors:
+            needed = np.concatenate((window, np.arange(gap.start, gap.stop)))
+            return choose_donors(self._samples.near(gap.marker), needed, seen)
+        named = by_label(labels, self._params.donors)
+        check_seen(labels, seen, gap, named, at_edges=True)
+        return tuple(named.tolist())
+
+    def _distrusted(self, gap: Gap, window: IntArray, refused: IntArray) -> tuple[int, ...]:
+        wrong = self._samples.wrong(gap.marker)
+        wrong = wrong[(wrong >= window[0]) & (wrong <= window[-1])]
+        both = np.union1d(wrong, refused) + self._recording.first_frame
+        return tuple(both.tolist())
+
+    def _pulled(self, patch: Patch, notes: dict[str, Any]) -> tuple[Patch, dict[str, Any]]:
+        gap, near = patch.gap, self._samples.near(patch.gap.marker)
+        partners = near.rigid(LOOSEST_BONE)[:MOST_BONES].tolist()
+        if not partners or np.isnan(patch.sigma).any():
+            return patch, notes
+        missing = slice(gap.start, gap.stop)
+        seen = np.stack([self._samples.seen(other)[missing] for other in partners], axis=1)
+        ends = np.where(seen[:, :, None], self._recording.points[missing][:, partners], np.nan)
+        spread = np.maximum(near.spread[partners], LEAST_SPREAD_MM / self._recording.mm)
+        values, share = pull(patch.values, patch.sigma, Bones(ends, near.length[partners], spread))
+        notes = {**notes, "bones": self._labels(partners)}
+        shrunk = replace(patch, values=values, sigma=share * patch.sigma, r90=share * patch.r90)
+        return shrunk, notes
+
+    def _labels(self, markers: Sequence[int]) -> tuple[str, ...]:
+        return tuple(self._recording.labels[marker] for marker in markers)
 
 
-def _candidates(
-    points: FloatArray, recording: Recording, params: KalmanParams, steps: Steps
-) -> list[Candidate]:
-    causal = params.direction == "causal"
-    rate = recording.rate
-    # Only the ratio of the two noises matters; the second turns a ratio into millimetres.
-    unit = np.sqrt(process_noise(points, rate) / rate**3) * recording.mm
-    ratios: tuple[float, ...] = CAUSAL_RATIOS if causal else RATIOS
-    if params.noise_mm is not None:
-        ratio = (params.noise_mm / unit) ** 2 if unit > 0 else MOST_RATIO
-        ratios = (float(np.clip(ratio, LEAST_RATIO, MOST_RATIO)),)
-    return [
-        Candidate(
-            partial(_solve, ratio=ratio, step=step, causal=causal),
-            partial(_shape, ratio=ratio, step=step, causal=causal),
-            _notes(params, ratio, unit, step * 1000 / rate),
-        )
-        for step in steps
-        for ratio in ratios
-    ]
+def _refused(excerpt: Excerpt, window: IntArray, gate: float) -> IntArray:
+    """Return the frames beside the gap that the gate refuses; each side is judged alone."""
+    points = excerpt.recording.points[:, 0]
+    known = window[~np.isnan(points[window, 0])]
+    before, after = known[known < excerpt.gap.start], known[known >= excerpt.gap.stop]
+    sides = before[-MOST_SAMPLES:], after[:MOST_SAMPLES]
+    return np.concatenate([side[unbelievable(points, side, gate)] for side in sides])
 
 
-def _notes(params: KalmanParams, ratio: float, unit: float, interval_ms: float) -> dict[str, Any]:
-    noise = params.noise_mm if params.noise_mm is not None else float(np.sqrt(ratio) * unit)
-    notes: dict[str, Any] = {"noise_mm": noise}
-    if params.direction == "causal":
-        notes["velocity_interval_ms"] = interval_ms
-    return notes
+def _window_method(recording: Recording, params: KalmanParams) -> WindowMethod:
+    rate, mm, noise = recording.rate, recording.mm, params.noise_mm
+    if params.direction == "two-sided":
 
+        def smoothers(points: FloatArray) -> list[Candidate]:
+            return two_sided(points, rate, mm, noise)
 
-def process_noise(points: FloatArray, rate: float) -> float:
-    """Estimate the spectral density of a marker's acceleration.
+        return WindowMethod(smoothers, "the filter", reach=REACH)
+    steps = velocity_steps(params.velocity_interval_ms, rate)
 
-    Parameters
-    ----------
-    points : ndarray, shape (frames, 3)
-        Its trajectory, NaN where missing.
-    rate : float
-        Frames per second (Hz).
+    def filters(points: FloatArray) -> list[Candidate]:
+        return causal(points, rate, mm, noise, steps)
 
-    Returns
-    -------
-    float
-        In length unit^2 / s^3 per axis, from the change of velocity within 0.1 s (var of the
-        second difference over h is 2 q h^3 / 3); 0 where the marker is never seen long enough.
-    """
-    for lag in (max(1, round(VELOCITY_LAG_S * rate)), 1):
-        change = points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag]
-        square = np.sum(change**2, axis=1)
-        square = square[~np.isnan(square)]
-        if square.size:
-            return float(np.mean(square) / 3 * 1.5 * (rate / lag) ** 3)
-    return 0.0
-
-
-def _weights(
-    knots: IntArray, length: int, *, ratio: float, step: int, causal: bool
-) -> tuple[FloatArray, FloatArray]:
-    frames = tuple(knots.tolist())
-    return prediction(frames, length, ratio, step) if causal else bridge(frames, length, ratio)
-
-
-def _solve(
-    knots: IntArray, values: FloatArray, length: int, *, ratio: float, step: int, causal: bool
-) -> FloatArray:
-    weights, _ = _weights(knots, length, ratio=ratio, step=step, causal=causal)
-    after = int(np.searchsorted(knots, 0))
-    first, last = (after - 2, after - 1) if causal else (after - 1, after)
-    slope = (values[last] - values[first]) / (knots[last] - knots[first])
-    # A straight line passes unchanged, so taking one out first costs nothing and saves digits.
-    around = values - values[first] - (knots - knots[first])[:, None] * slope
-    line = values[first] + (np.arange(length) - knots[first])[:, None] * slope
-    filled: FloatArray = weights @ around + line
-    return filled
-
-
-def _shape(knots: IntArray, length: int, *, ratio: float, step: int, causal: bool) -> FloatArray:
-    return _weights(knots, length, ratio=ratio, step=step, causal=causal)[1]
+    reach = max(REACH, 4 * max(steps))
+    return WindowMethod(filters, "the filter", reach=reach, least_before=2)

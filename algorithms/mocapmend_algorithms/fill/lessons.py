@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, IntArray, evenly
 from mocapmend_algorithms.gaps import Gap
 
 BORDERS = np.array([1, 2, 3, 5, 8, 13, 21, 34, 55])
@@ -97,16 +97,16 @@ def plan(usable: BoolArray, gap: Gap, size: Size) -> Lesson:
     frames = usable.size
     known = np.flatnonzero(usable)
     length = min(gap.length, max(int(LONGEST_SHARE * known.size), LEAST_LENGTH))
-    starts = _spread(_starts(usable, length), size.trials)
+    starts = evenly(_starts(usable, length), size.trials)
     taken = np.zeros(frames, dtype=bool)
     for start, stop in [(gap.start, gap.stop), *((s, s + length) for s in starts.tolist())]:
         near = np.concatenate((start - BORDERS, stop - 1 + BORDERS))
         taken[near[(near >= 0) & (near < frames)]] = True
     for start in starts.tolist():
-        taken[start + _spread(np.flatnonzero(usable[start : start + length]), size.judged)] = True
+        taken[start + evenly(np.flatnonzero(usable[start : start + length]), size.judged)] = True
     taken &= usable
     rest = np.flatnonzero(usable & ~taken)
-    taken[_spread(rest, max(size.frames - int(taken.sum()), size.rest))] = True
+    taken[evenly(rest, max(size.frames - int(taken.sum()), size.rest))] = True
     chosen = np.flatnonzero(taken)
     kind = gap.kind(frames)
     trials = [_trial(chosen, start, start + length, kind) for start in starts.tolist()]
@@ -131,9 +131,3 @@ def _trial(frames: IntArray, start: int, stop: int, kind: str) -> Trial:
     first = 0 if kind == "leading" else low
     last = frames.size if kind == "trailing" else high
     return Trial(start, stop, np.arange(first, last), slice(low - first, high - first))
-
-
-def _spread(items: IntArray, most: int) -> IntArray:
-    if items.size <= most:
-        return items
-    return items[np.unique(np.linspace(0, items.size - 1, most).round().astype(np.int64))]

@@ -76,8 +76,9 @@ class _Model:
 
     least: int
     frame: int
-    features: int
-    penalty: float
+    features: int = 0
+    penalty: float = 1.0
+    turns: bool = True
 
 
 class _Params(Protocol):
@@ -92,14 +93,15 @@ def rigid(
 ) -> FillResult:
     """Move the marker with a rigid body of three or more donors (Kabsch 1976)."""
     count = max(len(params.donors), LEAST_RIGID)
-    return _fill(recording, gaps, params, _Model(LEAST_RIGID, count, 0, 1.0), progress)
+    return _fill(recording, gaps, params, _Model(LEAST_RIGID, count), progress)
 
 
 def pattern(
     recording: Recording, gaps: Sequence[Gap], params: PatternParams, progress: Progress, /
 ) -> FillResult:
     """Move the marker along with one donor, or with the mean of those given."""
-    return _fill(recording, gaps, params, _Model(1, 1, 0, 1.0), progress)
+    count = max(len(params.donors), 1)
+    return _fill(recording, gaps, params, _Model(1, count, turns=False), progress)
 
 
 def local_frame(
@@ -139,19 +141,23 @@ def _case(survey: Survey, gap: Gap, params: _Params, model: _Model) -> Case:
     if params.edges == "leave" and gap.kind(survey.recording.frames) != "interior":
         raise NoDonorsError(LEFT_OPEN)
     donors = survey.donors(gap, params.donors, at_edges=True, enough=ENOUGH)
+    if len(donors) < model.least and params.donors:
+        raise NoDonorsError(f"it takes {model.least} donors, and {len(donors)} are given")
     if len(donors) < model.least:
         count = "no marker is" if not len(donors) else f"only {len(donors)} of the markers are"
         raise NoDonorsError(
             f"{count} seen throughout the gap and at its edges, and it takes {model.least}"
         )
-    chosen = donors[donors.best(max(model.frame, model.features))]
-    return survey.case(gap, chosen, SIZE)
+    most = max(model.frame, model.features)
+    corners = model.turns and most == LEAST_RIGID
+    best = survey.distances.triangle(donors) if corners else donors.best(most)
+    return survey.case(gap, donors[best], SIZE)
 
 
 def _fill_case(case: Case, model: _Model, mm: float) -> tuple[Patch, IntArray]:
     frame = case.donors.best(model.frame)
     weights = 1 / (case.donors.spread[frame] ** 2 + 1)
-    alignment = case.aligned(frame, weights)
+    alignment = case.aligned(frame, weights) if model.turns else case.moved(frame)
     samples = case.samples
     fit = _Ridge(
         _features(case, alignment, model), alignment[:samples].to_local(case.target), model.penalty
@@ -186,7 +192,7 @@ class _Ridge:
         samples = values.shape[0]
         seen = features[:samples]
         square = seen.T @ seen
-        size = float(np.trace(square)) / max(square.shape[0], 1)
+        size = float(np.trace(square)) / max(square.shape[0], 1) or 1.0
         square += penalty * size * np.eye(square.shape[0])
         self._seen = seen
         self._gain = np.linalg.solve(square, seen.T).T

@@ -16,6 +16,7 @@ TYPICAL_SPREAD_MM = 5.0
 ACCELERATION_S = 0.05
 GRAVITY = 9810.0
 MOST_GRAVITIES = 3.0
+LEAST_SHARE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -129,7 +130,9 @@ def _acceleration(
     before, after = (np.einsum("fgi,g->fi", case.at(frame, s), share) for s in (-step, step))
     change = (before + after - 2 * alignment.centre) * (case.rate / step) ** 2 / GRAVITY
     local = (change[:, None] @ alignment.rotation)[:, 0]
-    bounded: FloatArray = np.nan_to_num(MOST_GRAVITIES * np.tanh(local / MOST_GRAVITIES))
+    # As a whole: what is bounded axis by axis depends on how the axes lie.
+    size = np.maximum(np.linalg.norm(local, axis=1, keepdims=True) / MOST_GRAVITIES, LEAST_SHARE)
+    bounded: FloatArray = np.nan_to_num(local * np.tanh(size) / size)
     return bounded
 
 

@@ -6,11 +6,13 @@ from typing import Any, Literal, get_args
 
 from mocapmend_algorithms.fill import (
     auto,
+    burke_lasenby,
     cyclic,
     interpolate,
     kalman,
     local_frame,
     params,
+    pca,
     woltring,
 )
 from mocapmend_algorithms.fill.contract import FillFunction
@@ -146,14 +148,45 @@ _ALL = (
         fills_edges=True,
     ),
     Method(
+        id="pca-r1",
+        label="Principal components, all gaps at once",
+        function=pca.pca_r1,
+        params=pca.PcaR1Params,
+        help="Learns from the complete frames how the markers move together and predicts all "
+        "markers with gaps at once from those without any (Gløersen and Federolf 2016, R1). For "
+        "recordings with few gaps; it learns nothing of postures that no complete frame shows.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pca-r2",
+        label="Principal components, marker by marker",
+        function=pca.pca_r2,
+        params=pca.PcaR2Params,
+        help="Learns how the markers move together and predicts each marker with gaps from those "
+        "that are seen in them, near ones first (Gløersen and Federolf 2016, R2). Good for gaps "
+        "up to seconds in repetitive motion; poor where a marker's neighbours are missing too.",
+        fills_edges=True,
+    ),
+    Method(
+        id="burke-lasenby",
+        label="Low-dimensional Kalman smoother",
+        function=burke_lasenby.burke_lasenby,
+        params=burke_lasenby.BurkeLasenbyParams,
+        help="Learns from the complete frames in which few directions the whole body moves, and "
+        "follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good "
+        "for one marker in motion like that of the complete frames, poor where several markers "
+        "of a segment are missing.",
+        fills_edges=True,
+    ),
+    Method(
         id="kalman",
         label="Kalman, constant velocity",
         family="Kalman",
         function=kalman.kalman,
         params=kalman.KalmanParams,
-        help="Carries position and velocity into the gap from both sides, with a band that says "
-        "how sure it is. It looks at one marker alone and cannot know what happened inside a "
-        "gap much longer than 0.2 s.",
+        help="Carries position and velocity into the gap from both sides, relative to the "
+        "neighbouring markers that are seen, and says how sure it is. Where none are, it looks at "
+        "one marker alone and cannot know what happened inside a gap much longer than 0.2 s.",
     ),
     Method(
         id="auto",

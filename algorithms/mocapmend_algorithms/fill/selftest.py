@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
 from mocapmend_algorithms.gaps import runs
 
 MOST_OWN = 32
@@ -77,17 +77,17 @@ class TrialFinder:
         pattern = _Pattern.of(knots, length, self._observed.shape[0])
         near = pattern.thinned(MOST_PLACES)
         frames = near.places[near.fits(self._counts(marker)[:, None])[:, 0]]
-        own = _disjoint(frames, length)
+        own = count_apart(frames, length)
         if frames.size >= LEAST_OWN and own >= LEAST_DISJOINT:
-            chosen = _spread(frames, MOST_OWN)
+            chosen = evenly(frames, MOST_OWN)
             return Trials(chosen, np.full(chosen.size, marker), own=True, disjoint=own)
         places = pattern.thinned(MOST_PLACES // self._observed.shape[1])
         at, markers = np.nonzero(places.fits(self._all_counts))
         if at.size < LEAST_ALL:
             return None
-        chosen = _spread(np.arange(at.size), MOST_ALL)
+        chosen = evenly(np.arange(at.size), MOST_ALL)
         frames, markers = places.places[at[chosen]], markers[chosen]
-        disjoint = sum(_disjoint(frames[markers == m], length) for m in np.unique(markers))
+        disjoint = sum(count_apart(frames[markers == m], length) for m in np.unique(markers))
         return Trials(frames, markers, own=False, disjoint=disjoint)
 
     def _counts(self, marker: int) -> IntArray:
@@ -226,14 +226,16 @@ def _cumulative(observed: BoolArray) -> IntArray:
     return counts
 
 
-def _spread(items: IntArray, most: int) -> IntArray:
-    if items.size <= most:
-        return items
-    return items[np.linspace(0, items.size - 1, most).round().astype(np.int64)]
+def count_apart(frames: IntArray, length: int) -> int:
+    """Count how many stretches of one length do not overlap, greedily.
 
-
-def _disjoint(frames: IntArray, length: int) -> int:
-    """Count how many stretches of this length fit without overlap, greedily; frames ascend."""
+    Parameters
+    ----------
+    frames : ndarray of int
+        Where they begin, ascending.
+    length : int
+        In frames.
+    """
     count, free = 0, -1
     for frame in frames.tolist():
         if frame >= free:

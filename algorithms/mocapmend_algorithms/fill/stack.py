@@ -12,6 +12,9 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray
 
 SUM_WEIGHT = 1e4
+MOST_TYPICAL = 1e4
+LEAST_MM = 1e-9
+"""No candidate is taken to be more exact: numbers are not."""
 
 
 class Stack:
@@ -70,5 +73,9 @@ def _gram(trial: Sequence[FloatArray]) -> FloatArray:
     """Return the products of the candidates' errors, relative to a typical square."""
     flat = np.stack([errors.ravel() for errors in trial])
     products: FloatArray = flat @ flat.T
-    typical = float(np.median(np.diagonal(products)))
-    return products / typical if typical > 0 else products
+    size = np.diagonal(products)
+    typical = max(float(np.median(size)), LEAST_MM**2)
+    # A candidate that fails altogether would drown the differences between the others.
+    bound = np.minimum(1.0, MOST_TYPICAL * np.sqrt(typical / np.maximum(size, typical)))
+    bounded: FloatArray = products / typical * np.outer(bound, bound)
+    return bounded

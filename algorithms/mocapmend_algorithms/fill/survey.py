@@ -9,7 +9,7 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.completion import Completion
 from mocapmend_algorithms.fill.donors import (
-    Distances,
+    DonorDistances,
     Donors,
     NoDonorsError,
     by_label,
@@ -17,7 +17,7 @@ from mocapmend_algorithms.fill.donors import (
     edges_seen,
 )
 from mocapmend_algorithms.fill.lessons import Size, plan
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.recording import Recording
 
 LEAST_TOGETHER = 0.5
@@ -41,9 +41,7 @@ class Survey:
 
     def __init__(self, recording: Recording, gaps: Sequence[Gap]) -> None:
         self.recording = recording
-        self.observed: BoolArray = recording.present.copy()
-        for gap in gaps:
-            self.observed[gap.start : gap.stop, gap.marker] = False
+        self.observed: BoolArray = seen_outside(recording.present, gaps)
 
     @cached_property
     def points(self) -> FloatArray:
@@ -53,9 +51,9 @@ class Survey:
         return points
 
     @cached_property
-    def distances(self) -> Distances:
+    def distances(self) -> DonorDistances:
         """How the markers move with each other."""
-        return Distances(self.points, self.observed)
+        return DonorDistances(self.points, self.observed)
 
     @cached_property
     def completion(self) -> Completion:
@@ -93,7 +91,18 @@ class Survey:
         known = self.distances.to(gap.marker)
         if labels:
             wanted = by_label(self.recording.labels, labels)
-            check_seen(self.recording.labels, self.observed, gap, wanted, at_edges=at_edges)
+            check_seen(
+                self.recording.labels,
+                lambda marker: self.observed[:, marker],
+                gap,
+                wanted,
+                at_edges=at_edges,
+            )
+            for marker in np.setdiff1d(wanted, known.markers).tolist():
+                label = self.recording.labels[marker]
+                raise NoDonorsError(
+                    f"the marker and its donor {label} are hardly ever seen together"
+                )
             return known[np.isin(known.markers, wanted)]
         share = self.observed[gap.start : gap.stop].mean(axis=0)[known.markers]
         seen = share == 1.0

@@ -21,7 +21,7 @@ from mocapmend_algorithms.fill.selftest import (
     calibrate,
     turn,
 )
-from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
@@ -186,9 +186,7 @@ class _Filler:
     def __init__(self, recording: Recording, gaps: Sequence[Gap], method: WindowMethod) -> None:
         self._recording = recording
         self._method = method
-        self._observed = recording.present.copy()
-        for gap in gaps:
-            self._observed[gap.start : gap.stop, gap.marker] = False
+        self._observed = seen_outside(recording.present, gaps)
         self._finder = TrialFinder(self._observed)
         self._frames: dict[int, IntArray] = {}
         self._candidates: dict[int, Sequence[Candidate]] = {}

@@ -4,7 +4,7 @@ A *bone* is a pair of markers whose distance is nearly constant, a *segment* a g
 that keep all their distances.
 """
 
-from mocapmend_algorithms.skeleton.distances import Distances, measure_distances
+from mocapmend_algorithms.skeleton.distances import PairDistances, measure_distances
 from mocapmend_algorithms.skeleton.found import (
     segments_from_distances,
     skeleton_from_distances,
@@ -15,8 +15,8 @@ from mocapmend_algorithms.skeleton.templates import Template, match_template, pa
 
 __all__ = [
     "Bone",
-    "Distances",
     "Mate",
+    "PairDistances",
     "Segment",
     "Skeleton",
     "Template",

@@ -21,8 +21,13 @@ WIDTH_IN_SD = 3.29
 
 
 @dataclass(frozen=True, eq=False)
-class Distances:
-    """The distances of all pairs of markers.
+class PairDistances:
+    """The distances of all pairs of markers, as a measure of which are joined by bones.
+
+    They come from the recording as it is, with markers swapped and jumping: so they are robust,
+    the median and the width of the central 90 %. All pairs of all markers are needed at once, so
+    the number of frames depends on the number of markers; a short recording must do with fewer
+    frames together than elsewhere, as it is to have a skeleton too.
 
     Attributes
     ----------
@@ -41,7 +46,7 @@ class Distances:
         return ~np.isnan(self.length)
 
 
-def measure_distances(recording: Recording, progress: Progress) -> Distances:
+def measure_distances(recording: Recording, progress: Progress) -> PairDistances:
     """Measure the distances of all pairs of markers.
 
     Parameters
@@ -54,7 +59,7 @@ def measure_distances(recording: Recording, progress: Progress) -> Distances:
 
     Returns
     -------
-    Distances
+    PairDistances
 
     Raises
     ------
@@ -77,7 +82,7 @@ def measure_distances(recording: Recording, progress: Progress) -> Distances:
             length[marker, others] = length[others, marker] = middle
             spread[marker, others] = spread[others, marker] = width / WIDTH_IN_SD
     progress(1.0)
-    return Distances(length, spread)
+    return PairDistances(length, spread)
 
 
 def _measure(one: FloatArray, others: FloatArray, least: int) -> tuple[FloatArray, FloatArray]:

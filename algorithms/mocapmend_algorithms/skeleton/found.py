@@ -9,7 +9,7 @@ from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton.distances import (
     MOST_MARKERS,
-    Distances,
+    PairDistances,
     measure_distances,
 )
 from mocapmend_algorithms.skeleton.model import Bone, Segment, Skeleton
@@ -68,7 +68,7 @@ def segments_from_distances(recording: Recording, progress: Progress) -> tuple[S
     return find_segments(measure_distances(recording, progress))
 
 
-def _by_cost(distances: Distances) -> list[Bone]:
+def _by_cost(distances: PairDistances) -> list[Bone]:
     """Order all pairs: short and rigid ones first."""
     first, second = np.nonzero(np.triu(distances.known))
     cost = _cost(distances.length[first, second], distances.spread[first, second])
@@ -81,7 +81,7 @@ def _cost(length: FloatArray, spread: FloatArray) -> FloatArray:
     return cost
 
 
-def _keeps_length(distances: Distances, pair: Bone) -> bool:
+def _keeps_length(distances: PairDistances, pair: Bone) -> bool:
     length, spread = distances.length[pair], distances.spread[pair]
     return bool(0 < length <= LONGEST_MM and spread <= LOOSEST * length)
 
@@ -106,7 +106,7 @@ def _spanning_tree(pairs: Sequence[Bone], groups: dict[int, int]) -> list[Bone]:
     return tree
 
 
-def _closing(tree: Sequence[Bone], pairs: Sequence[Bone], distances: Distances) -> list[Bone]:
+def _closing(tree: Sequence[Bone], pairs: Sequence[Bone], distances: PairDistances) -> list[Bone]:
     """Choose further pairs as long as one of the two markers has few bones, and none too long."""
     degree: dict[int, int] = {}
     reach: dict[int, float] = {}

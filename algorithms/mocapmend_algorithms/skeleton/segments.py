@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.skeleton.distances import Distances
+from mocapmend_algorithms.skeleton.distances import PairDistances
 from mocapmend_algorithms.skeleton.model import Segment
 
 MOST_SPREAD_MM = 10.0
@@ -17,12 +17,12 @@ FAR_MM = 300.0
 """Further apart, less is allowed: an arm and a leg may keep their distance through a whole walk."""
 
 
-def looseness(distances: Distances) -> FloatArray:
+def looseness(distances: PairDistances) -> FloatArray:
     """Say how far each pair of markers is from being rigid.
 
     Parameters
     ----------
-    distances : Distances
+    distances : PairDistances
         Of all pairs.
 
     Returns
@@ -41,7 +41,7 @@ def looseness(distances: Distances) -> FloatArray:
     return share
 
 
-def find_segments(distances: Distances) -> tuple[Segment, ...]:
+def find_segments(distances: PairDistances) -> tuple[Segment, ...]:
     """Gather markers that are all rigid to each other.
 
     Clusters of complete linkage: the two groups whose loosest pair is the most rigid are joined,
@@ -49,7 +49,7 @@ def find_segments(distances: Distances) -> tuple[Segment, ...]:
 
     Parameters
     ----------
-    distances : Distances
+    distances : PairDistances
         Of all pairs. Markers that have none are in no segment.
 
     Returns
@@ -90,12 +90,14 @@ class Mate:
     spread: float
 
 
-def segment_mates(distances: Distances, segments: Sequence[Segment]) -> dict[int, tuple[Mate, ...]]:
+def segment_mates(
+    distances: PairDistances, segments: Sequence[Segment]
+) -> dict[int, tuple[Mate, ...]]:
     """List the other markers of each marker's segment, the most rigid first.
 
     Parameters
     ----------
-    distances : Distances
+    distances : PairDistances
         Of all pairs.
     segments : sequence of Segment
         Found from these distances or a template's.

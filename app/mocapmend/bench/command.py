@@ -11,6 +11,7 @@ SCHEMA = 1
 BENCHES = {
     "io": "reading and saving a large C3D file, against numpy, a file copy, c3d and ezc3d",
     "gui": "scrubbing a large recording, and the time to the first picture",
+    "kalman": "the constant-velocity filter: a paper's experiment, and its speed beside filterpy",
     "fuzz": "damaged files: each must open or be refused, soon and without much memory",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
 }

@@ -104,21 +104,19 @@ class RepairRecord:
             raise ValueError("a number or a text of a repair is too large")
         if not all(isinstance(donor, str) and _is_plain(donor) for donor in values["donors"]):
             raise ValueError("a donor is not a label")
-        values["parameters"] = {
-            name: tuple(item) if isinstance(item, list) else item
-            for name, item in values["parameters"].items()
-        }
-        if not all(map(_is_parameter, values["parameters"].values())):
-            raise ValueError("a parameter is neither a number nor a text nor a list of texts")
+        values["parameters"] = {k: _parameter(v) for k, v in values["parameters"].items()}
         for key in ("expected_error_mm", "r90_mm"):
             values[key] = math.nan if values[key] is None else float(values[key])
         return cls(**values | {"donors": tuple(values["donors"])})
 
 
-def _is_parameter(value: object) -> bool:
-    if isinstance(value, tuple):
-        return all(isinstance(item, str) and _is_plain(item) for item in value)
-    return isinstance(value, SCALARS) and _is_plain(value)
+def _parameter(value: object) -> object:
+    """Return a parameter as it was before it was written: JSON has no tuples."""
+    parts = value if isinstance(value, list) else [value]
+    kinds = str if isinstance(value, list) else SCALARS
+    if not all(isinstance(part, kinds) and _is_plain(part) for part in parts):
+        raise ValueError("a parameter is neither a number nor a text, nor a list of texts")
+    return tuple(value) if isinstance(value, list) else value
 
 
 def _is_plain(value: object) -> bool:
