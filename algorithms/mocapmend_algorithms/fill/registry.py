@@ -150,6 +150,7 @@ _ALL = (
     Method(
         id="pca-r1",
         label="Principal components, all gaps at once",
+        family="Low rank",
         function=pca.pca_r1,
         params=pca.PcaR1Params,
         help="Learns from the complete frames how the markers move together and predicts all "
@@ -160,6 +161,7 @@ _ALL = (
     Method(
         id="pca-r2",
         label="Principal components, marker by marker",
+        family="Low rank",
         function=pca.pca_r2,
         params=pca.PcaR2Params,
         help="Learns how the markers move together and predicts each marker with gaps from those "
@@ -170,6 +172,7 @@ _ALL = (
     Method(
         id="burke-lasenby",
         label="Low-dimensional Kalman smoother",
+        family="Low rank",
         function=burke_lasenby.burke_lasenby,
         params=burke_lasenby.BurkeLasenbyParams,
         help="Learns from the complete frames in which few directions the whole body moves, and "
