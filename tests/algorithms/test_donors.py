@@ -1,4 +1,4 @@
-"""Distances between markers, and which of them are the best donors."""
+"""DonorDistances between markers, and which of them are the best donors."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from mocapmend_algorithms.fill.donors import (
     MOST_FRAMES,
-    Distances,
+    DonorDistances,
     Donors,
     by_label,
     edges_seen,
@@ -17,7 +17,7 @@ from mocapmend_algorithms.gaps import Gap
 
 
 def measured(points):
-    return Distances(points, ~np.isnan(points[:, :, 0]))
+    return DonorDistances(points, ~np.isnan(points[:, :, 0]))
 
 
 @pytest.mark.parametrize("share", [0.0, 0.4])
@@ -54,9 +54,9 @@ def test_samples_that_may_not_be_looked_at_are_not():
     points = body(100, 4)
     observed = np.ones((100, 4), dtype=bool)
     observed[20:60, 1] = False
-    before = Distances(points, observed).to(0)
+    before = DonorDistances(points, observed).to(0)
     points[20:60, 1] += 1e4
-    after = Distances(points, observed).to(0)
+    after = DonorDistances(points, observed).to(0)
     np.testing.assert_array_equal(after.spread, before.spread)
     np.testing.assert_array_equal(after.distance, before.distance)
 
