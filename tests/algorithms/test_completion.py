@@ -7,7 +7,7 @@ from synthetic import punch
 
 from mocapmend_algorithms.alignment import align
 from mocapmend_algorithms.fill.completion import NEARNESS, NEIGHBOURS, Completion
-from mocapmend_algorithms.fill.donors import Distances
+from mocapmend_algorithms.fill.donors import DonorDistances
 from mocapmend_algorithms.gaps import Gap, find_gaps
 
 RATE = 100.0
@@ -17,7 +17,7 @@ def completed(points, markers=None):
     """Bridge all gaps of some markers; return the completion and the points."""
     points = np.array(points)
     observed = ~np.isnan(points[:, :, 0])
-    completion = Completion(points, observed, Distances(points, observed), RATE)
+    completion = Completion(points, observed, DonorDistances(points, observed), RATE)
     for marker in range(points.shape[1]) if markers is None else markers:
         completion.complete(marker)
     return completion, points
@@ -33,7 +33,7 @@ def test_rigid_motion_is_found_again():
 def test_all_gaps_are_bridged_as_one_alone_would_be():
     points = scattered(jittery(body(900, 9)), 0.3)
     observed = ~np.isnan(points[:, :, 0])
-    known = Distances(points, observed).to(4)
+    known = DonorDistances(points, observed).to(4)
     order = known.best(len(known), NEARNESS)
     _, found = completed(points, [4])
     compared = 0
