@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from donor_samples import GAPS, body, jittery, punched, rms, truth_of
 from scipy.spatial.transform import Rotation
-from synthetic import fill_with, smooth_motion
+from synthetic import fill_with, record, smooth_motion
 
 from mocapmend_algorithms import Gap, no_progress
 from mocapmend_algorithms.fill import pose_regression
@@ -164,3 +164,18 @@ def test_a_thousand_markers_are_no_trap(share):
     gap = Gap(5, 50, 80)
     holed[[49, 80], 5] = points[[49, 80], 5]
     assert rms(alone(holed, gap).values, truth_of(points, gap)) < 1.0
+
+
+def test_the_acceleration_is_not_read_from_a_long_gap_of_a_donor():
+    # Too long to be bridged: the frames beside it must not reach into it.
+    points = jittery(body(400, 5))
+    gaps = [Gap(0, 300, 320), Gap(2, 100, 215)]
+    hidden = fill_with(("auto", {"donors": "M1,M2,M3"}), punched(points, gaps), gaps).patches
+    points[100:215, 2] += 100.0
+    for patch, same in zip(
+        fill_with(("auto", {"donors": "M1,M2,M3"}), record(points), gaps).patches,
+        hidden,
+        strict=True,
+    ):
+        assert patch.values.tobytes() == same.values.tobytes()
+        assert patch.r90.tobytes() == same.r90.tobytes()

@@ -86,3 +86,13 @@ def test_fast_donors_are_harder_to_follow():
     inside = fast.r90[10] / still.r90[10]
     assert inside == pytest.approx(2.0, rel=0.2)
     assert (fast.r90 >= still.r90 * (1 - 1e-9)).all()
+
+
+def test_the_frames_at_the_ends_have_less_time_to_move_in():
+    at_ends = case([]).elapsed(10)
+    assert at_ends[0] == at_ends[-1] == 10
+    assert at_ends[5] == 15
+    assert at_ends[100] == 20
+    moved = case([], speed=500.0)
+    both = moved.at(np.array([0]), 10) - moved.at(np.array([0]), -10)
+    assert both[-1, 0, 0] / moved.elapsed(10)[-1] == pytest.approx(5.0)

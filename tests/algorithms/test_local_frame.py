@@ -12,7 +12,9 @@ from sklearn.linear_model import Ridge
 from synthetic import fill_with, punch, record
 
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.local_frame import DECAY_S, _carry, _Ridge
+from mocapmend_algorithms.fill.lessons import Size
+from mocapmend_algorithms.fill.local_frame import DECAY_S, _carry, _left_over, _Ridge
+from mocapmend_algorithms.fill.survey import Survey
 
 GAP = Gap(0, 60, 75)
 
@@ -87,6 +89,25 @@ def test_what_is_left_over_at_one_edge_fades():
 
 def test_without_an_edge_nothing_is_carried():
     np.testing.assert_array_equal(carried(None, None), np.zeros((9, 3)))
+
+
+def test_what_is_left_over_in_a_trial_is_what_a_fill_of_it_leaves():
+    points = jittery(body(300, 8))
+    survey = Survey(punched(points, [GAP]), [GAP])
+    case = survey.case(GAP, survey.donors(GAP, (), at_edges=True, enough=500), Size(200, 6, 10, 50))
+    poses, values = regression(samples=case.samples)
+    fit = _Ridge(poses, values, 0.01)
+    for trial in case.lesson.trials:
+        rest = np.delete(np.arange(case.samples), trial.hidden)
+        theirs = Ridge(alpha=0.01 * scale(poses, case.samples)).fit(poses[rest], values[rest])
+        predicted = theirs.predict(poses[: case.samples])
+        edges = [trial.hidden[0] - 1, trial.hidden[-1] + 1]
+        frames = case.lesson.frames[trial.hidden]
+        known = case.lesson.frames[edges]
+        beside = (values - predicted)[edges]
+        carried = [np.interp(frames, known, axis) for axis in beside.T]
+        expected = values[trial.hidden] - predicted[trial.hidden] - np.transpose(carried)
+        np.testing.assert_allclose(_left_over(case, trial, fit), expected, atol=1e-8)
 
 
 def test_a_pattern_moves_by_the_mean_of_its_donors_and_does_not_turn():
