@@ -90,13 +90,13 @@ def test_a_replay_gives_the_same_bytes(
     path = samples / f"{name}.c3d"
     source = read_recording(path)
     values = METHODS[method].params(**params)
-    gaps = find_gaps(source.recording.present)[:12]
+    gaps = find_gaps(source.recording.present)[:20]
     result = engine.fill(source.measured, gaps, method, values, NO_LIMITS, no_progress)
     changes = engine.changes_of(source, result, method, values)
     assert len(changes.repairs) == len(result.patches)
     # Other cycles are often incomplete in the same way; R1 predicts from markers without any gap,
     # and the sprinter has none.
-    least = {"cyclic": 2, "pca-r1": 0 if name == "sprint_basketball" else 9}.get(method, 9)
+    least = {"cyclic": 5, "pca-r1": 0 if name == "sprint_basketball" else 15}.get(method, 15)
     assert len(result.patches) >= min(len(gaps), least)
     written = tmp_path / "recipe.json"
     recipe.write_recipe(source, changes.repairs, written)
