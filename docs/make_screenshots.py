@@ -19,7 +19,7 @@ from mocapmend.views.workspace import Workspace
 
 IMAGES = Path(__file__).parent / "images"
 SIZE = (1280, 720)
-LIMIT_MS = 30_000
+LIMIT_MS = 300_000
 
 
 def wait_until(condition: Callable[[], object]) -> None:
@@ -63,7 +63,6 @@ def main() -> None:
         shoot(window, "welcome")
         workspace = open_sample(window, "sprint_basketball")
         shoot(window, "window")
-        workspace.repair.step_method(2)
         assert workspace.view.gap is not None
         workspace.view.go_to(workspace.view.gap)
         wait_until(lambda: workspace.view.preview is not None)

@@ -45,6 +45,7 @@ class ParamsForm(QWidget):
         self._selection: tuple[str, ...] = ()
         self._layout = QFormLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setVerticalSpacing(3)
         self._kind: type[Any] | None = None
         self._getters: dict[str, Getter] = {}
 

@@ -19,7 +19,7 @@ from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
 from mocapmend.views.tables import INDENT, Indented, dress, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.registry import method_label
+from mocapmend_algorithms.fill.registry import METHODS, method_label
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -174,7 +174,7 @@ class RepairTable(QWidget):
             0: longest,
             1: "000000 – 000000",
             2: "00000",
-            3: self.tr("Kalman, constant velocity"),
+            3: INDENT + max((method.label for method in METHODS.values()), key=len),
             4: "0000.0 mm",
             5: INDENT + self.tr("before"),
         }
