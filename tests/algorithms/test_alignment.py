@@ -1,7 +1,7 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mocapmend_algorithms.alignment import align, mean_shape
+from mocapmend_algorithms.alignment import align, mean_shape, turns
 
 SHAPE = np.array([[0.0, 0, 0], [100, 0, 0], [0, 80, 0], [10, 20, 60]])
 
@@ -66,3 +66,33 @@ def test_the_mean_shape_does_not_depend_on_where_the_group_is():
     distances = np.linalg.norm(shape[:, None] - shape, axis=2)
     true = np.linalg.norm(SHAPE[:, None] - SHAPE, axis=2)
     np.testing.assert_allclose(distances, true, atol=1.0)
+
+
+def test_markers_in_one_line_turn_as_little_as_they_can():
+    rng = np.random.default_rng(7)
+    line = np.outer([-100.0, 0, 20, 150], [0.0, 1, 0])
+    turned = Rotation.random(20, random_state=rng).as_matrix()
+    rotation = align(line @ turned.swapaxes(1, 2), line, np.ones(4)).rotation
+    to = turned[:, :, 1]
+    np.testing.assert_allclose(rotation[:, :, 1], to, atol=1e-5)
+    np.testing.assert_allclose(np.linalg.det(rotation), 1.0, atol=1e-12)
+    # The angle is that between the line and its template.
+    angle = Rotation.from_matrix(rotation).magnitude()
+    np.testing.assert_allclose(angle, np.arccos(to[:, 1]), atol=1e-4)
+
+
+def test_markers_in_one_place_do_not_turn():
+    points = np.tile(np.random.default_rng(8).normal(0, 100, (10, 1, 3)), (1, 4, 1))
+    rotation = align(points, points[0], np.ones(4)).rotation
+    np.testing.assert_allclose(rotation, np.broadcast_to(np.eye(3), (10, 3, 3)), atol=1e-12)
+
+
+def test_turns_are_the_nearest_rotations_whatever_the_shape():
+    rng = np.random.default_rng(9)
+    product = rng.normal(size=(4, 5, 3, 3))
+    found = turns(product)
+    for place in np.ndindex(4, 5):
+        np.testing.assert_allclose(found[place], turns(product[place][None])[0], atol=1e-12)
+        best, _ = Rotation.align_vectors(product[place].T, np.eye(3))
+        gain = np.sum(found[place] * product[place])
+        assert gain >= np.sum(best.as_matrix() * product[place]) - 1e-9

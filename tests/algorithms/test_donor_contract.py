@@ -156,7 +156,8 @@ def test_the_start_and_the_end_are_filled_where_asked(variant, start, stop):
         assert [unfilled.reason for unfilled in result.unfilled] == [LEFT_OPEN]
         return
     (patch,) = result.patches
-    most = 60.0 if variant[0] == "pattern" else 10.0
+    # Beside the body's turns and travels, of some 500 mm.
+    most = 200.0 if variant[0] == "pattern" else 15.0
     assert rms(patch.values, truth_of(points, gap)) < most
     # The sample beside a gap is known, so that the fill beside it is surer than that far away.
     inner, outer = (-1, 0) if start == 0 else (0, -1)

@@ -33,7 +33,7 @@ def stub(method_id, error_mm, asked=None, *, fills_edges=False):
             )
         )
 
-    return Method(method_id, "Stub", function, type(None), "", fills_edges)
+    return Method(method_id, "Stub", "Interpolation", function, type(None), "", fills_edges)
 
 
 def outcome(method, limits, *, gaps=GAPS, unit="mm"):
