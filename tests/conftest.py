@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+import mocapmend  # noqa: F401 - before numpy, which it tells to use one thread
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 # The same examples on every machine and in every order; slow machines are no failures.

@@ -16,6 +16,7 @@ from concurrent.futures import (
     ThreadPoolExecutor,
 )
 from concurrent.futures.process import BrokenProcessPool
+from importlib import import_module
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -27,6 +28,7 @@ from mocapmend_algorithms import Cancelled
 SLOTS = 32
 WORKERS = 2
 """One for what takes long, one for the preview that the user waits for."""
+SLOW_TO_LOAD = ("mocapmend.engine", "scipy.linalg", "scipy.optimize")
 POLL_MS = 10
 """How often the window's thread looks at its jobs: no other thread touches a Qt object."""
 
@@ -65,6 +67,12 @@ def _leave_with_parent() -> None:
     assert parent is not None
     parent.join()
     os._exit(1)
+
+
+def _get_ready() -> None:
+    """Load what takes long to load."""
+    for name in SLOW_TO_LOAD:
+        import_module(name)
 
 
 def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
@@ -204,8 +212,9 @@ class Jobs(QObject):
         return self._start(title, slot, future, args)
 
     def warm_up(self) -> None:
-        """Start the worker process before it is first needed."""
-        self._pool().submit(int)
+        """Start the worker processes before they are first needed."""
+        for _ in range(WORKERS):
+            self._pool().submit(_get_ready)
 
     def shut_down(self) -> None:
         """Cancel everything and wait for the workers to end."""

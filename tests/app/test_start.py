@@ -22,6 +22,19 @@ def test_the_window_starts_without_what_it_needs_later() -> None:
     assert done.stdout.strip() == "[]"
 
 
+@pytest.mark.parametrize("module", ["mocapmend", "mocapmend.cli"])
+def test_numpy_is_told_to_use_one_thread_before_it_is_loaded(
+    module: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    code = (
+        f"import sys, {module}; print('numpy' in sys.modules);"
+        "import os; print(os.environ['OPENBLAS_NUM_THREADS'])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["False", "1"]
+
+
 def test_once_painted_the_window_loads_the_rest(tmp_path: Path) -> None:
     code = f"""
 import sys

@@ -70,7 +70,6 @@ class NamesEdit(QWidget):
 
     def _take(self) -> None:
         self.edit.setText(self._text(self._selection))
-        self.edit.setCursorPosition(0)
         self._tell()
 
     def _tell_emptied(self, text: str) -> None:

@@ -254,8 +254,8 @@ class RepairPanel(QScrollArea):
         elif gap is None:
             text = self.tr("Press N for the next gap, or click one on the timeline.")
         elif repair is not None:
-            text = self.tr("Repaired with <b>{0}</b>.").format(method_label(repair.method))
-            text += " " + self._error_text(repair.patch) + self._donors_text(repair.donors)
+            text = self.tr("Repaired with <b>{0}</b>").format(method_label(repair.method))
+            text += "<br>" + self._error_text(repair.patch) + self._donors_text(repair.donors)
         elif preview is None:
             text = self.tr("Computing the preview…")
         else:

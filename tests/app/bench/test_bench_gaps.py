@@ -93,7 +93,7 @@ def half_filler(
 @pytest.fixture
 def auto(monkeypatch: pytest.MonkeyPatch) -> None:
     """Register a method of known error that leaves gaps open."""
-    method = registry.Method("auto", "Auto", half_filler, LinearParams, "")
+    method = registry.Method("auto", "Auto", "Automatic", half_filler, LinearParams, "")
     monkeypatch.setitem(registry.METHODS, "auto", method)
 
 
@@ -155,7 +155,7 @@ def test_the_own_gaps_of_a_recording_are_filled_but_not_judged(tmp_path: Path) -
         return half_filler(recording, [*gaps, Gap(2, 0, 1)], *rest)
 
     with pytest.MonkeyPatch.context() as patch:
-        method = registry.Method("auto", "Auto", spy, LinearParams, "")
+        method = registry.Method("auto", "Auto", "Automatic", spy, LinearParams, "")
         patch.setitem(registry.METHODS, "auto", method)
         found = attempt(case, recording, "auto")
     assert seen == [[Gap(0, 10, 16)]]
