@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
 
 CYCLES_PER_SIDE = 2
 MOST_TRIED = 12
@@ -64,7 +64,7 @@ def from_cycles(
     first = max(1, int(place.length / ((1 + TOLERANCE) * period)))
     reach = int(TOLERANCE * period)
     nearest_first = np.array(sorted(range(-reach, reach + 1), key=abs))
-    counts = np.concatenate(([0], np.cumsum(seen)))
+    counts = running_count(seen)
     found = []
     for direction in (-1, 1):
         wanted = direction * period * np.arange(first, first + MOST_TRIED)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, IntArray, evenly
+from mocapmend_algorithms.arrays import BoolArray, IntArray, evenly, running_count
 from mocapmend_algorithms.gaps import Gap
 
 BORDERS = np.array([1, 2, 3, 5, 8, 13, 21, 34, 55])
@@ -119,7 +119,7 @@ def _starts(usable: BoolArray, length: int) -> IntArray:
     starts = np.arange(1, usable.size - length)
     if not starts.size:
         return starts
-    counts = np.concatenate(([0], np.cumsum(usable)))
+    counts = running_count(usable)
     inside = counts[starts + length] - counts[starts]
     good = usable[starts - 1] & usable[starts + length] & (inside >= LEAST_SEEN * length)
     return starts[good]

@@ -9,9 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from mocapmend_algorithms.arrays import BoolArray, IntArray, evenly
+from mocapmend_algorithms.arrays import BoolArray, IntArray, evenly, running_count
 from mocapmend_algorithms.fill.edges import sides
 from mocapmend_algorithms.gaps import Gap
 
@@ -72,8 +71,8 @@ def find_places(observed: BoolArray, window: Window, members: IntArray) -> tuple
     length : int
         Frames to hide at each: the window's length, or less where there is no room.
     """
-    seen = _cumulative(observed[:, members].all(axis=1))
-    missing = _cumulative((~observed).sum(axis=1))
+    seen = running_count(observed[:, members].all(axis=1))
+    missing = running_count((~observed).sum(axis=1))
     length = min(window.length, max(int(LENGTH_SHARE * seen[-1]), 1))
     places = _places(seen, missing, length, window)
     while places.size < LEAST_PLACES and length > 1:
@@ -158,7 +157,3 @@ def punch(
         if not window.after and place + length < hidden.shape[0]:
             hidden[place + length, members] = False
     return hidden
-
-
-def _cumulative(values: ArrayLike) -> IntArray:
-    return np.concatenate(([0], np.cumsum(values, dtype=np.int64)))

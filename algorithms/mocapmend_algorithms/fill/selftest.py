@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly, running_count
 from mocapmend_algorithms.gaps import runs
 
 MOST_OWN = 32
@@ -92,12 +92,12 @@ class TrialFinder:
 
     def _counts(self, marker: int) -> IntArray:
         if marker not in self._own:
-            self._own[marker] = _cumulative(self._observed[:, marker])
+            self._own[marker] = running_count(self._observed[:, marker])
         return self._own[marker]
 
     @cached_property
     def _all_counts(self) -> IntArray:
-        return _cumulative(self._observed)
+        return running_count(self._observed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,12 +218,6 @@ def _relative(turns: FloatArray, floor: float) -> FloatArray:
     if floor == 0.0:
         return np.ones_like(turns)
     return np.hypot(turns, floor)
-
-
-def _cumulative(observed: BoolArray) -> IntArray:
-    counts = np.zeros((observed.shape[0] + 1, *observed.shape[1:]), dtype=np.int64)
-    np.cumsum(observed, axis=0, out=counts[1:])
-    return counts
 
 
 def count_apart(frames: IntArray, length: int) -> int:
