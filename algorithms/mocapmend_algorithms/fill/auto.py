@@ -16,8 +16,9 @@ from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.fill import pose_regression
 from mocapmend_algorithms.fill.band import SPEED_DONORS, band
 from mocapmend_algorithms.fill.case import Case
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import Donors, NoDonorsError
+from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.fill.donors import Donors
+from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.model_params import (
@@ -30,7 +31,7 @@ from mocapmend_algorithms.fill.pose_regression import Candidate, View
 from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress, part
+from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 
 DRIFT = (0.1, 10.0)
@@ -98,30 +99,21 @@ def auto(
         With `donors`, `self_tests` and the `weights` of the blend in the notes.
     """
     survey = Survey(recording, gaps)
-    patches: list[Patch] = []
-    unfilled: list[Unfilled] = []
-    notes: dict[Gap, dict[str, Any]] = {}
-    for done, gap in enumerate(gaps):
-        progress(done / len(gaps))
-        try:
-            case = _case(survey, gap, params)
-            share = part(progress, done / len(gaps), (done + 1) / len(gaps))
-            patch, notes[gap] = _fill(case, recording, share)
-            patches.append(patch)
-        except NoDonorsError as error:
-            unfilled.append(Unfilled(gap, str(error)))
-    progress(1.0)
-    return FillResult(tuple(patches), tuple(unfilled), notes)
+
+    def fill(gap: Gap, share: Progress) -> tuple[Patch, dict[str, Any]]:
+        return _fill(_case(survey, gap, params), recording, share)
+
+    return fill_each(gaps, fill, progress)
 
 
 def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
     """Collect what there is to learn from."""
     edge = gap.kind(survey.recording.frames) != "interior"
     if edge and params.edges == "leave":
-        raise NoDonorsError(LEFT_OPEN)
+        raise LeftOpenError(LEFT_OPEN)
     donors = survey.donors(gap, params.donors, at_edges=False, enough=ENOUGH)
     if edge and not len(donors):
-        raise NoDonorsError(
+        raise LeftOpenError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
     short = gap.length <= SHORT_S * survey.recording.rate

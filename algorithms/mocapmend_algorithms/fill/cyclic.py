@@ -13,8 +13,9 @@ from typing import Any, Literal
 import numpy as np
 
 from mocapmend_algorithms.arrays import IntArray
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.cycles import Place, from_cycles
+from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.period import find_period
 from mocapmend_algorithms.fill.selftest import Calibration, TrialFinder, calibrate
@@ -71,20 +72,7 @@ def cyclic(
     FillResult
         With `period_s`, `cycles` (lags in seconds), `self_tests` and `tested_on` per gap.
     """
-    filler = _Filler(recording, gaps, params)
-    patches: list[Patch] = []
-    unfilled: list[Unfilled] = []
-    notes: dict[Gap, dict[str, Any]] = {}
-    for done, gap in enumerate(gaps):
-        progress(done / len(gaps))
-        filled = filler.fill(gap)
-        if isinstance(filled, str):
-            unfilled.append(Unfilled(gap, filled))
-        else:
-            patch, notes[gap] = filled
-            patches.append(patch)
-    progress(1.0)
-    return FillResult(tuple(patches), tuple(unfilled), notes)
+    return fill_each(gaps, _Filler(recording, gaps, params).fill, progress)
 
 
 class _Filler:
@@ -98,26 +86,30 @@ class _Filler:
         self._periods: dict[int, float | None] = {}
         self._tests: dict[tuple[int, int, bytes], tuple[Calibration | None, dict[str, Any]]] = {}
 
-    def fill(self, gap: Gap) -> tuple[Patch, dict[str, Any]] | str:
-        """Fill a gap, or say why not."""
+    def fill(self, gap: Gap, _: Progress) -> tuple[Patch, dict[str, Any]]:
+        """Fill a gap."""
         seen = self._seen[:, gap.marker]
         if not seen.any():
-            return "the marker is never seen in this recording"
+            raise LeftOpenError("the marker is never seen in this recording")
         frames = np.flatnonzero(seen)
         middle = int(np.searchsorted(frames, gap.start))
         if middle in (0, frames.size) and self._params.edges == "leave":
             side, frame = ("after", frames[-1]) if middle else ("before", frames[0])
             at = int(frame) + self._recording.first_frame
-            return f"the marker is never seen {side} frame {at}: this method needs both sides"
+            raise LeftOpenError(
+                f"the marker is never seen {side} frame {at}: this method needs both sides"
+            )
         period = self._period(gap.marker)
         if period is None:
-            return "the motion is not periodic: it does not repeat itself closely enough"
+            raise LeftOpenError(
+                "the motion is not periodic: it does not repeat itself closely enough"
+            )
         place = Place(gap.start, gap.length, _beside(frames - gap.start, gap.length, period))
         points = self._recording.points[:, gap.marker]
         made = from_cycles(points, seen, place, period)
         if made is None:
             seconds = period / self._recording.rate
-            return (
+            raise LeftOpenError(
                 f"no other cycle of {seconds:.2f} s has this marker in all frames that are "
                 "missing here"
             )

@@ -11,6 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.each import LeftOpenError
 from mocapmend_algorithms.gaps import Gap
 
 MOST_FRAMES = 600
@@ -22,10 +23,6 @@ CLIPPED = (0.01, 0.99)
 MOST_CORNERS = 8
 FLAT = 0.05
 """Height of a triangle relative to its longest side, below which its corners are in one line."""
-
-
-class NoDonorsError(ValueError):
-    """No donors for a gap; the message says why, in words a user understands."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,16 +148,16 @@ def by_label(known: Sequence[str], labels: Sequence[str]) -> IntArray:
 
     Raises
     ------
-    NoDonorsError
+    LeftOpenError
         If there is no marker of that label, or more than one.
     """
     found = []
     for label in labels:
         count = known.count(label)
         if not count:
-            raise NoDonorsError(f"there is no marker {label} to take as a donor")
+            raise LeftOpenError(f"there is no marker {label} to take as a donor")
         if count > 1:
-            raise NoDonorsError(f"{count} markers are called {label}: it cannot be a donor")
+            raise LeftOpenError(f"{count} markers are called {label}: it cannot be a donor")
         found.append(known.index(label))
     return np.array(found, dtype=np.int64)
 
@@ -185,18 +182,18 @@ def check_seen(
 
     Raises
     ------
-    NoDonorsError
+    LeftOpenError
         If one is not, or is the marker itself.
     """
     for marker in donors.tolist():
         label = labels[marker]
         if marker == gap.marker:
-            raise NoDonorsError(f"{label} cannot be its own donor")
+            raise LeftOpenError(f"{label} cannot be its own donor")
         there = seen(marker)
         if not there[gap.start : gap.stop].all():
-            raise NoDonorsError(f"the donor {label} is missing in the gap too")
+            raise LeftOpenError(f"the donor {label} is missing in the gap too")
         if at_edges and not edges_seen(there, gap):
-            raise NoDonorsError(f"the donor {label} is missing at an edge of the gap")
+            raise LeftOpenError(f"the donor {label} is missing at an edge of the gap")
 
 
 def edges_seen(observed: BoolArray, gap: Gap) -> BoolArray:

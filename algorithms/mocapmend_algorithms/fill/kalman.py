@@ -24,8 +24,9 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.bones import Bones, pull
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import NoDonorsError, by_label, check_seen
+from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.fill.donors import by_label, check_seen
+from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.excerpt import Excerpt, cut, excerpt_frames
 from mocapmend_algorithms.fill.gate import MOST_SAMPLES, unbelievable
 from mocapmend_algorithms.fill.kalman_settings import causal, two_sided, velocity_steps
@@ -135,20 +136,7 @@ def kalman(
         hold the `frame`; in the local one the labels of the `donors`; where there are any, the
         numbers of the `distrusted` frames in the window and the labels at the ends of the `bones`.
     """
-    filler = _Filler(recording, gaps, params)
-    patches: list[Patch] = []
-    unfilled: list[Unfilled] = []
-    notes: dict[Gap, dict[str, Any]] = {}
-    for done, gap in enumerate(gaps):
-        progress(done / len(gaps))
-        outcome = filler.fill(gap)
-        if isinstance(outcome, str):
-            unfilled.append(Unfilled(gap, outcome))
-        else:
-            patch, notes[gap] = outcome
-            patches.append(patch)
-    progress(1.0)
-    return FillResult(tuple(patches), tuple(unfilled), notes)
+    return fill_each(gaps, _Filler(recording, gaps, params).fill, progress)
 
 
 class _Filler:
@@ -160,14 +148,11 @@ class _Filler:
         self._samples = TrustedSamples(recording, gaps, params.jump_mm)
         self._method = _window_method(recording, params)
 
-    def fill(self, gap: Gap) -> tuple[Patch, dict[str, Any]] | str:
-        """Fill a gap and say how, or why not."""
+    def fill(self, gap: Gap, _: Progress) -> tuple[Patch, dict[str, Any]]:
+        """Fill a gap and say how."""
         samples = self._samples
         window = samples.window(gap, self._method.reach)
-        try:
-            donors = self._donors(gap, window)
-        except NoDonorsError as error:
-            return str(error)
+        donors = self._donors(gap, window)
         frames = excerpt_frames(gap, window, self._recording.frames)
         near = partial(samples.near, gap.marker)
         span = int(np.ptp(window)) + 1 if window.size else gap.length
@@ -177,7 +162,7 @@ class _Filler:
             excerpt = excerpt.without(refused)
         result = fill_windows(excerpt.recording, [excerpt.gap], self._method, no_progress)
         if result.unfilled:
-            return result.unfilled[0].reason
+            raise LeftOpenError(result.unfilled[0].reason)
         (part,) = result.patches
         patch = Patch(gap, excerpt.to_world(part.values), part.sigma, part.r90)
         notes = {**result.notes[part.gap], "frame": "local" if donors else "world"}

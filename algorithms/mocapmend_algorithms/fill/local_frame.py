@@ -16,8 +16,8 @@ from mocapmend_algorithms.alignment import Alignment
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.band import band
 from mocapmend_algorithms.fill.case import Case
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
-from mocapmend_algorithms.fill.donors import NoDonorsError
+from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.lessons import Size, Trial
 from mocapmend_algorithms.fill.model_params import (
     LEFT_OPEN,
@@ -119,33 +119,25 @@ def _fill(
     progress: Progress,
 ) -> FillResult:
     survey = Survey(recording, gaps)
-    patches: list[Patch] = []
-    unfilled: list[Unfilled] = []
-    notes: dict[Gap, dict[str, Any]] = {}
-    for done, gap in enumerate(gaps):
-        progress(done / len(gaps))
-        try:
-            case = _case(survey, gap, params, model)
-        except NoDonorsError as error:
-            unfilled.append(Unfilled(gap, str(error)))
-            continue
+
+    def fill(gap: Gap, share: Progress) -> tuple[Patch, dict[str, Any]]:
+        case = _case(survey, gap, params, model)
         patch, frame = _fill_case(case, model, recording.mm)
-        patches.append(patch)
         labels = tuple(recording.labels[marker] for marker in case.donors.markers[frame])
-        notes[gap] = {"donors": labels, "self_tests": len(case.lesson.trials)}
-    progress(1.0)
-    return FillResult(tuple(patches), tuple(unfilled), notes)
+        return patch, {"donors": labels, "self_tests": len(case.lesson.trials)}
+
+    return fill_each(gaps, fill, progress)
 
 
 def _case(survey: Survey, gap: Gap, params: _Params, model: _Model) -> Case:
     if params.edges == "leave" and gap.kind(survey.recording.frames) != "interior":
-        raise NoDonorsError(LEFT_OPEN)
+        raise LeftOpenError(LEFT_OPEN)
     donors = survey.donors(gap, params.donors, at_edges=True, enough=ENOUGH)
     if len(donors) < model.least and params.donors:
-        raise NoDonorsError(f"it takes {model.least} donors, and {len(donors)} are given")
+        raise LeftOpenError(f"it takes {model.least} donors, and {len(donors)} are given")
     if len(donors) < model.least:
         count = "no marker is" if not len(donors) else f"only {len(donors)} of the markers are"
-        raise NoDonorsError(
+        raise LeftOpenError(
             f"{count} seen throughout the gap and at its edges, and it takes {model.least}"
         )
     most = max(model.frame, model.features)

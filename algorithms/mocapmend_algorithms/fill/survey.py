@@ -11,11 +11,11 @@ from mocapmend_algorithms.fill.completion import Completion
 from mocapmend_algorithms.fill.donors import (
     DonorDistances,
     Donors,
-    NoDonorsError,
     by_label,
     check_seen,
     edges_seen,
 )
+from mocapmend_algorithms.fill.each import LeftOpenError
 from mocapmend_algorithms.fill.lessons import Size, plan
 from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.recording import Recording
@@ -83,11 +83,11 @@ class Survey:
 
         Raises
         ------
-        NoDonorsError
+        LeftOpenError
             If the marker is never seen, or a donor that the user names is missing.
         """
         if not self.observed[:, gap.marker].any():
-            raise NoDonorsError("the marker is never seen in this recording")
+            raise LeftOpenError("the marker is never seen in this recording")
         known = self.distances.to(gap.marker)
         if labels:
             wanted = by_label(self.recording.labels, labels)
@@ -100,7 +100,7 @@ class Survey:
             )
             for marker in np.setdiff1d(wanted, known.markers).tolist():
                 label = self.recording.labels[marker]
-                raise NoDonorsError(
+                raise LeftOpenError(
                     f"the marker and its donor {label} are hardly ever seen together"
                 )
             return known[np.isin(known.markers, wanted)]
@@ -118,7 +118,7 @@ class Survey:
 
         Raises
         ------
-        NoDonorsError
+        LeftOpenError
             If the marker and its donors are hardly ever seen together.
         """
         usable = self.observed[:, gap.marker].copy()
@@ -127,7 +127,7 @@ class Survey:
             self.completion.complete(marker)
         lesson = plan(usable, gap, size)
         if lesson.frames.size < 2:
-            raise NoDonorsError("the marker and its donors are hardly ever seen together")
+            raise LeftOpenError("the marker and its donors are hardly ever seen together")
         return Case(
             gap=gap,
             rate=self.recording.rate,

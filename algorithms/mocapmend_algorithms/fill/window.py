@@ -12,7 +12,8 @@ from typing import Any, Literal, Protocol
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.selftest import (
     Calibration,
@@ -154,21 +155,7 @@ def fill_windows(
     FillResult
         With `self_tests`, `tested_on` and the chosen setting per gap in the notes.
     """
-    filler = _Filler(recording, gaps, method)
-    patches: list[Patch] = []
-    unfilled: list[Unfilled] = []
-    notes: dict[Gap, dict[str, Any]] = {}
-    for done, gap in enumerate(gaps):
-        progress(done / len(gaps))
-        knots = filler.knots(gap)
-        reason = filler.obstacle(gap, knots)
-        if reason:
-            unfilled.append(Unfilled(gap, reason))
-        else:
-            patch, notes[gap] = filler.fill(gap, knots)
-            patches.append(patch)
-    progress(1.0)
-    return FillResult(tuple(patches), tuple(unfilled), notes)
+    return fill_each(gaps, _Filler(recording, gaps, method).fill, progress)
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,7 +179,7 @@ class _Filler:
         self._candidates: dict[int, Sequence[Candidate]] = {}
         self._choices: dict[tuple[int, int, bytes], _Choice] = {}
 
-    def knots(self, gap: Gap) -> IntArray:
+    def _knots(self, gap: Gap) -> IntArray:
         """Return the nearest observed frames on both sides, counted from the gap's start."""
         if gap.marker not in self._frames:
             self._frames[gap.marker] = np.flatnonzero(self._observed[:, gap.marker])
@@ -201,7 +188,7 @@ class _Filler:
         reach = self._method.reach
         return frames[max(middle - reach, 0) : middle + reach] - gap.start
 
-    def obstacle(self, gap: Gap, knots: IntArray) -> str:
+    def _obstacle(self, gap: Gap, knots: IntArray) -> str:
         """Say why a gap cannot be filled; empty where it can."""
         before = int(np.count_nonzero(knots < 0))
         if not knots.size:
@@ -224,8 +211,11 @@ class _Filler:
             )
         return ""
 
-    def fill(self, gap: Gap, knots: IntArray) -> tuple[Patch, dict[str, Any]]:
+    def fill(self, gap: Gap, _: Progress) -> tuple[Patch, dict[str, Any]]:
         """Fill a gap and say how sure that is."""
+        knots = self._knots(gap)
+        if reason := self._obstacle(gap, knots):
+            raise LeftOpenError(reason)
         key = (gap.marker, gap.length, knots.tobytes())
         if key not in self._choices:
             self._choices[key] = self._choose(gap, knots)
