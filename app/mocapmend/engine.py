@@ -30,6 +30,7 @@ from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import (
     Skeleton,
+    Template,
     match_template,
     segments_from_distances,
     skeleton_from_distances,
@@ -51,8 +52,8 @@ def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     """
     source = read_recording(path)
     progress(0.5)
-    skeleton = find_skeleton(source, lambda share: progress(0.5 + 0.5 * share))
-    _, complaints = user_templates.load()
+    own, complaints = user_templates.load()
+    skeleton = _skeleton(source, own, lambda share: progress(0.5 + 0.5 * share))
     if complaints:
         source = replace(source, warnings=(*source.warnings, *complaints))
     progress(1.0)
@@ -64,10 +65,13 @@ def find_skeleton(source: Source, progress: Progress) -> Skeleton:
 
     The user's templates come before those that ship with the program where both fit as well.
     """
+    return _skeleton(source, user_templates.load()[0], progress)
+
+
+def _skeleton(source: Source, own: Sequence[Template], progress: Progress) -> Skeleton:
     if source.bones:
         return Skeleton(source.kind, source.bones, "file")
     recording = source.recording
-    own, _ = user_templates.load()
     known = match_template(recording.labels, (*own, *skeletons.load()))
     if known is None:
         return skeleton_from_distances(recording, progress)

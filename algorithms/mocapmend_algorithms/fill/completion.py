@@ -40,14 +40,18 @@ class Completion:
         self._distances = distances
         self._longest = max(1, round(LONGEST_S * rate))
         self._gaps: dict[int, list[Gap]] = {}
+        self._known: dict[int, BoolArray] = {}
         self._done: set[int] = set()
 
     def known(self, marker: int) -> BoolArray:
         """Return the frames in which a marker is seen, or missing for a second at most."""
-        known = self._observed[:, marker].copy()
-        for gap in self._bridged(marker):
-            known[gap.start : gap.stop] = True
-        return known
+        if marker not in self._known:
+            known = self._observed[:, marker].copy()
+            for gap in self._bridged(marker):
+                known[gap.start : gap.stop] = True
+            known.flags.writeable = False
+            self._known[marker] = known
+        return self._known[marker]
 
     def complete(self, marker: int) -> None:
         """Write bridges into all gaps of a marker that are short enough."""
