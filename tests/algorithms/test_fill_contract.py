@@ -7,6 +7,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from promises import (
+    check_each_gap_stands_alone,
+    check_fills_only_what_it_is_given,
+    check_progress_and_cancel,
+    check_same_bytes,
+)
 from synthetic import (
     DONOR_VARIANTS,
     EDGE_TO_EDGE,
@@ -22,7 +28,7 @@ from synthetic import (
     smooth_motion,
 )
 
-from mocapmend_algorithms import Cancelled, Gap, find_gaps, no_progress
+from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.fill.registry import METHODS
 
 EVERY = pytest.mark.parametrize("variant", [*VARIANTS, *DONOR_VARIANTS], ids=str)
@@ -33,25 +39,8 @@ FILLING = pytest.mark.parametrize("variant", FILLS_ANYTHING, ids=str)
 @settings(max_examples=100)
 @given(recording=broken_recordings())
 def test_fills_only_what_it_is_given(variant, recording):
-    before = recording.points.tobytes()
-    gaps = find_gaps(recording.present)
-    result = fill_with(variant, recording, gaps)
-    assert recording.points.tobytes() == before
-    done, left = [p.gap for p in result.patches], [u.gap for u in result.unfilled]
-    assert sorted(done + left) == gaps
-    assert done == sorted(done)
-    assert left == sorted(left)
-    assert all(u.reason for u in result.unfilled)
-    assert set(result.notes) == set(done)
-    for patch in result.patches:
+    for patch in check_fills_only_what_it_is_given(variant, recording).patches:
         assert patch.gap.kind(recording.frames) == "interior" or variant not in LEAVES_EDGES
-        assert patch.values.shape == (patch.gap.length, 3)
-        assert np.isfinite(patch.values).all()
-        assert patch.sigma.shape == patch.r90.shape == (patch.gap.length,)
-        known = result.notes[patch.gap]["self_tests"] > 0
-        assert np.isfinite(patch.sigma).all() == np.isfinite(patch.r90).all() == known
-        assert not (patch.sigma < 0).any()
-        assert not (patch.r90 < 0).any()
 
 
 @EVERY
@@ -60,12 +49,7 @@ def test_fills_only_what_it_is_given(variant, recording):
 def test_is_deterministic_and_each_gap_stands_alone(variant, recording, data):
     gaps = find_gaps(recording.present)
     some = [gap for gap in gaps if data.draw(st.booleans())]
-    whole = {p.gap: p for p in fill_with(variant, recording, gaps).patches}
-    for patch in fill_with(variant, recording, some[::-1]).patches:
-        same = whole[patch.gap]
-        assert patch.values.tobytes() == same.values.tobytes()
-        assert patch.sigma.tobytes() == same.sigma.tobytes()
-        assert patch.r90.tobytes() == same.r90.tobytes()
+    check_each_gap_stands_alone(variant, recording, gaps, some)
 
 
 @EVERY
@@ -83,18 +67,7 @@ def test_survives_almost_empty_recordings(variant, points):
 def test_reports_progress_and_lets_itself_be_cancelled(variant):
     gaps = [Gap(0, 30, 35), Gap(0, 60, 64), Gap(1, 50, 52)]
     recording = record(punch(smooth_motion(100, 2), gaps))
-    calls = []
-    fill_with(variant, recording, gaps, calls.append)
-    assert calls == sorted(calls)
-    assert len(calls) > len(gaps)
-    assert calls[-1] == 1.0
-
-    def cancel(fraction):
-        if fraction > 0.3:
-            raise Cancelled
-
-    with pytest.raises(Cancelled):
-        fill_with(variant, recording, gaps, cancel)
+    check_progress_and_cancel(variant, recording, gaps)
 
 
 @pytest.mark.parametrize("variant", [v for v in FILLS_ANYTHING if v[0] != "constant"], ids=str)
@@ -135,9 +108,7 @@ def test_never_looks_into_a_gap_that_it_is_given(variant):
     assert len(hidden) == len(gaps)
     points[60:75, 0] += 100.0
     for patch, same in zip(fill_with(variant, record(points), gaps).patches, hidden, strict=True):
-        assert patch.values.tobytes() == same.values.tobytes()
-        assert patch.sigma.tobytes() == same.sigma.tobytes()
-        assert patch.r90.tobytes() == same.r90.tobytes()
+        check_same_bytes(patch, same)
 
 
 @FILLING

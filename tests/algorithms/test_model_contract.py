@@ -4,9 +4,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from promises import (
+    check_each_gap_stands_alone,
+    check_fills_only_what_it_is_given,
+    check_progress_and_cancel,
+    check_same_bytes,
+)
 from synthetic import MODEL_VARIANTS, bending_body, broken_recordings, fill_with, punch, record
 
-from mocapmend_algorithms import Cancelled, Gap, find_gaps
+from mocapmend_algorithms import Gap, find_gaps
 from mocapmend_algorithms.fill.registry import METHODS
 
 EVERY = pytest.mark.parametrize("variant", MODEL_VARIANTS, ids=str)
@@ -34,24 +40,7 @@ def broken_bodies(draw):
 @settings(max_examples=60)
 @given(recording=st.one_of(broken_bodies(), broken_recordings()))
 def test_fills_only_what_it_is_given(variant, recording):
-    before = recording.points.tobytes()
-    gaps = find_gaps(recording.present)
-    result = fill_with(variant, recording, gaps)
-    assert recording.points.tobytes() == before
-    done, left = [p.gap for p in result.patches], [u.gap for u in result.unfilled]
-    assert sorted(done + left) == gaps
-    assert done == sorted(done)
-    assert left == sorted(left)
-    assert all(u.reason for u in result.unfilled)
-    assert set(result.notes) == set(done)
-    for patch in result.patches:
-        assert patch.values.shape == (patch.gap.length, 3)
-        assert np.isfinite(patch.values).all()
-        assert patch.sigma.shape == patch.r90.shape == (patch.gap.length,)
-        known = result.notes[patch.gap]["self_tests"] > 0
-        assert np.isfinite(patch.sigma).all() == np.isfinite(patch.r90).all() == known
-        assert not (patch.sigma < 0).any()
-        assert not (patch.r90 < 0).any()
+    check_fills_only_what_it_is_given(variant, recording)
 
 
 @EVERY
@@ -60,12 +49,7 @@ def test_fills_only_what_it_is_given(variant, recording):
 def test_is_deterministic_and_each_gap_stands_alone(variant, recording, data):
     gaps = find_gaps(recording.present)
     some = [gap for gap in gaps if data.draw(st.booleans())]
-    whole = {p.gap: p for p in fill_with(variant, recording, gaps).patches}
-    for patch in fill_with(variant, recording, some[::-1]).patches:
-        same = whole[patch.gap]
-        assert patch.values.tobytes() == same.values.tobytes()
-        assert patch.sigma.tobytes() == same.sigma.tobytes()
-        assert patch.r90.tobytes() == same.r90.tobytes()
+    check_each_gap_stands_alone(variant, recording, gaps, some)
 
 
 @EVERY
@@ -110,18 +94,7 @@ def test_refuses_where_too_few_frames_are_complete(variant):
 @EVERY
 def test_reports_progress_and_lets_itself_be_cancelled(variant):
     recording = record(punch(bending_body(200, 9), GAPS))
-    calls = []
-    fill_with(variant, recording, GAPS, calls.append)
-    assert calls == sorted(calls)
-    assert len(calls) > len(GAPS)
-    assert calls[-1] == 1.0
-
-    def cancel(fraction):
-        if fraction > 0.3:
-            raise Cancelled
-
-    with pytest.raises(Cancelled):
-        fill_with(variant, recording, GAPS, cancel)
+    check_progress_and_cancel(variant, recording, GAPS)
 
 
 @EVERY
@@ -131,9 +104,7 @@ def test_never_looks_into_a_gap_that_it_is_given(variant):
     for gap in GAPS:
         points[gap.start : gap.stop, gap.marker] += 100.0
     for patch, same in zip(fill_with(variant, record(points), GAPS).patches, hidden, strict=True):
-        assert patch.values.tobytes() == same.values.tobytes()
-        assert patch.sigma.tobytes() == same.sigma.tobytes()
-        assert patch.r90.tobytes() == same.r90.tobytes()
+        check_same_bytes(patch, same)
 
 
 @EVERY
