@@ -4,6 +4,7 @@ Computation runs in a spawned process, because scipy holds the interpreter for u
 reading and writing files runs in a thread.
 """
 
+import gc
 import multiprocessing
 import os
 import threading
@@ -19,6 +20,7 @@ from concurrent.futures.process import BrokenProcessPool
 from importlib import import_module
 from typing import Any
 
+from pyqtgraph.util.garbage_collector import GarbageCollector
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend.errors import MocapmendError
@@ -168,13 +170,19 @@ class Job(QObject):
 
 
 class Jobs(QObject):
-    """Starts jobs and knows which are running."""
+    """Starts jobs and knows which are running.
+
+    Until it is shut down, cyclic garbage is collected in the window's thread only. Any thread that
+    allocates would do it else, those of the pools too, and would delete the Qt objects in it while
+    the window's thread is at work in Qt: a segmentation fault.
+    """
 
     started = Signal(object)
     ended = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._garbage = GarbageCollector()
         start_tracker()
         self._board = Board()
         self._free = list(range(SLOTS))
@@ -226,6 +234,8 @@ class Jobs(QObject):
         for executor in executors:
             executor.shutdown(wait=True, cancel_futures=True)
         self._timer.stop()
+        self._garbage.timer.stop()
+        gc.enable()
 
     def _pool(self) -> ProcessPoolExecutor:
         if self._processes is None:

@@ -1,9 +1,11 @@
 """Background work ends in exactly one of finished, failed and cancelled."""
 
+import gc
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +13,7 @@ from threading import Event
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from mocapmend.errors import MocapmendError
@@ -252,3 +255,45 @@ def test_the_worker_ends_with_a_killed_window(tmp_path: Path, qtbot: QtBot) -> N
         return not status.exists() or status.read_text().rpartition(")")[2].split()[0] == "Z"
 
     qtbot.waitUntil(gone, timeout=20_000)
+
+
+class Cycle(QObject):
+    """Garbage that only the collector can find; says which thread deleted it."""
+
+    def __init__(self, deleted_by: list[threading.Thread]) -> None:
+        super().__init__()
+        self._self = self
+        self._deleted_by = deleted_by
+
+    def __del__(self) -> None:
+        self._deleted_by.append(threading.current_thread())
+
+
+def leave_garbage(progress: Progress) -> None:
+    """Allocate so much that Python would look for garbage many times, in this thread."""
+    for step in range(100):
+        progress(step / 100)
+        _ = [[] for _ in range(1000)]
+
+
+def test_only_the_thread_of_the_window_deletes_qt_objects(jobs: Jobs, qtbot: QtBot) -> None:
+    deleted_by: list[threading.Thread] = []
+    Cycle(deleted_by)
+    with qtbot.waitSignal(jobs.read_or_write("allocate", leave_garbage).finished):
+        pass
+    assert deleted_by == []
+    # The window's thread allocates too, and finds it.
+    kept: list[list[int]] = []
+
+    def found() -> bool:
+        kept.extend([] for _ in range(1000))
+        return bool(deleted_by)
+
+    qtbot.waitUntil(found, timeout=20_000)
+    assert deleted_by == [threading.main_thread()]
+
+
+def test_after_the_shut_down_garbage_is_collected_as_ever(jobs: Jobs) -> None:
+    assert not gc.isenabled()
+    jobs.shut_down()
+    assert gc.isenabled()
