@@ -158,9 +158,11 @@ class RepairPanel(QScrollArea):
         decide.addWidget(self._clear)
         layout.addWidget(self._title)
         layout.addLayout(steps)
-        for part in (self._method, self._form, self._promise):
-            layout.addWidget(part)
+        layout.addWidget(self._method)
+        layout.addWidget(self._promise)
+        # Above the parameters: where it stays whatever the method, and in sight in a small window.
         layout.addLayout(decide)
+        layout.addWidget(self._form)
         return box
 
     def _make_all_box(self, actions: dict[str, QAction]) -> QGroupBox:
