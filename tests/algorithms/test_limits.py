@@ -64,14 +64,26 @@ def test_by_default_errors_above_20_mm_stay_open(method_id, unit):
     assert not outcome(stub(method_id, 19.9), Limits(), gaps=[SHORT], unit=unit)
 
 
-def test_by_default_kalman_without_an_estimate_stops_at_a_fifth_of_a_second():
-    left = outcome(stub("kalman", math.nan), Limits())
+@pytest.mark.parametrize("limits", [Limits(), Limits(max_error_mm=40)])
+def test_an_interpolation_without_an_estimate_stops_at_a_fifth_of_a_second(limits):
+    left = outcome(stub("cubic", math.nan), limits)
     assert list(left) == [LONG, VERY_LONG]
-    assert left[LONG] == (
-        "its error could not be estimated, and 21 frames (210 ms) is longer than the "
-        "20 frames (200 ms) allowed in that case"
-    )
-    assert not outcome(stub("kalman", 5.0), Limits())
+    if not limits.default:
+        assert left[LONG] == (
+            "its error could not be estimated, and 21 frames (210 ms) is longer than the "
+            "20 frames (200 ms) allowed in that case"
+        )
+
+
+@pytest.mark.parametrize("limits", [Limits(), Limits(max_error_mm=40)])
+@pytest.mark.parametrize("method_id", ["auto", "rigid", "pca-r2", "kalman", "cyclic"])
+def test_a_model_that_could_not_be_tested_fills_nothing(method_id, limits):
+    left = outcome(stub(method_id, math.nan), limits)
+    assert list(left) == GAPS
+    assert set(left.values()) == {
+        "its error could not be estimated: there is nothing like it to test this method on"
+    }
+    assert not outcome(stub(method_id, 5.0), limits)
 
 
 def test_a_length_limit_replaces_the_guards():

@@ -20,17 +20,17 @@ INTERPOLATIONS = ("constant", "linear", "cubic", "pchip", "woltring")
 class Limits:
     """What the user allows.
 
-    With neither, gaps longer than 0.2 s stay open where the method interpolates or the error
-    could not be estimated, and so do gaps with an expected error above 20 mm. One limit given
-    replaces these guards.
+    With neither, gaps longer than 0.2 s stay open where the method interpolates, and gaps with an
+    expected error above 20 mm. Where the error could not be estimated, only gaps of up to 0.2 s are
+    filled, and only by methods that interpolate. One limit given replaces these guards.
 
     Attributes
     ----------
     max_gap : int, optional
         Longer gaps stay open, in frames; 0 fills none.
     max_error_mm : float, optional
-        Gaps with a larger expected 3-D RMS error stay open, and those longer than 0.2 s whose
-        error could not be estimated; infinity fills all that the method can.
+        Gaps with a larger expected 3-D RMS error stay open, and those whose error could not be
+        estimated as above; infinity fills all that the method can.
     """
 
     max_gap: int | None = None
@@ -104,7 +104,7 @@ def fill_within(
     doubtful = {
         patch.gap: Unfilled(patch.gap, reason)
         for patch in filled.patches
-        if (reason := _doubt(patch, limits, recording))
+        if (reason := _doubt(patch, method, limits, recording))
     }
     left_open = too_long | doubtful | {unfilled.gap: unfilled for unfilled in filled.unfilled}
     return FillResult(
@@ -119,19 +119,24 @@ def _concerns(gap: Gap, method: Method, params: Any, recording: Recording) -> bo
     return method.reaches_edges(params) or gap.kind(recording.frames) == "interior"
 
 
-def _doubt(patch: Patch, limits: Limits, recording: Recording) -> str:
+def _doubt(patch: Patch, method: Method, limits: Limits, recording: Recording) -> str:
     error, most = patch.expected_error * recording.mm, limits.error_mm
     if error > most:
         text, limit = _millimetres(error, most)
         return f"the expected error of {text} is above the{_default(limits)} limit of {limit}"
     wanted = limits.default or limits.max_error_mm is not None
+    if not math.isnan(error) or not wanted or math.isinf(most):
+        return ""
+    if method.id not in INTERPOLATIONS:
+        # A short interpolation stays near its edges; a model may end up anywhere.
+        return "its error could not be estimated: there is nothing like it to test this method on"
     allowed = default_frames(recording.rate)
-    if math.isnan(error) and wanted and math.isfinite(most) and patch.gap.length > allowed:
-        return (
-            f"its error could not be estimated, and {_duration(patch.gap.length, recording.rate)} "
-            f"is longer than the {_duration(allowed, recording.rate)} allowed in that case"
-        )
-    return ""
+    if patch.gap.length <= allowed:
+        return ""
+    return (
+        f"its error could not be estimated, and {_duration(patch.gap.length, recording.rate)} "
+        f"is longer than the {_duration(allowed, recording.rate)} allowed in that case"
+    )
 
 
 def _length_reason(gap: Gap, limit: int, limits: Limits, rate: float) -> str:

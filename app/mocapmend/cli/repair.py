@@ -3,9 +3,9 @@
 A C3D file is copied and patched. A recording of another format, or for another format, is written
 as a new file; the ending of OUT says which.
 
-Without limits, gaps stay open whose expected error is above 20 mm, and those longer than 0.2 s
-where the method interpolates or the error could not be estimated; the output lists them.
---max-error and --max-gap replace these limits.
+Without limits, gaps stay open whose expected error is above 20 mm or could not be estimated, and
+where the method interpolates those longer than 0.2 s (shorter ones are filled without an estimate
+too); the output lists them. --max-error and --max-gap replace these limits.
 """
 
 import argparse
