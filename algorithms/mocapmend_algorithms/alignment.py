@@ -32,9 +32,8 @@ class Alignment:
 
     def to_local(self, points: FloatArray) -> FloatArray:
         """Express points, shape (frames, ..., 3), in the group's frame."""
-        turned = np.expand_dims(self.rotation, tuple(range(1, points.ndim - 1)))
-        centre = np.expand_dims(self.centre, tuple(range(1, points.ndim - 1)))
-        local: FloatArray = ((points - centre)[..., None, :] @ turned)[..., 0, :] + self.origin
+        rows = points.reshape(points.shape[0], -1, 3) - self.centre[:, None]
+        local: FloatArray = (rows @ self.rotation).reshape(points.shape) + self.origin
         return local
 
     def to_world(self, points: FloatArray) -> FloatArray:

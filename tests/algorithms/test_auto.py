@@ -10,7 +10,7 @@ from synthetic import fill_with, record, smooth_motion
 
 from mocapmend_algorithms import Gap, no_progress
 from mocapmend_algorithms.fill import pose_regression
-from mocapmend_algorithms.fill.auto import ALONE, POSE, TIGHT, WIDE
+from mocapmend_algorithms.fill.auto import POSE, TIGHT, WHOLE
 from mocapmend_algorithms.fill.lessons import Lesson, Size
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.fill.registry import METHODS
@@ -24,13 +24,16 @@ def alone(points, gap, variant=("auto", {}), **options):
     return patch
 
 
-@pytest.mark.parametrize(("donors", "candidates"), [(0, 3), (3, 9), (9, 7)])
-def test_the_notes_say_what_was_blended(donors, candidates):
-    gap = Gap(0, 100, 130)
-    result = fill_with(("auto", {}), punched(jittery(body(400, donors + 1)), [gap]), [gap])
+@pytest.mark.parametrize(
+    ("donors", "length", "candidates", "tests"),
+    [(0, 30, 3, 18), (0, 80, 3, 14), (3, 80, 8, 14), (9, 80, 5, 14), (9, 30, 8, 18), (9, 5, 8, 12)],
+)
+def test_the_notes_say_what_was_blended(donors, length, candidates, tests):
+    gap = Gap(0, 100, 100 + length)
+    result = fill_with(("auto", {}), punched(jittery(body(600, donors + 1)), [gap]), [gap])
     notes = result.notes[gap]
     assert len(notes["donors"]) == min(donors, 4)
-    assert notes["self_tests"] == 20
+    assert notes["self_tests"] == tests
     assert len(notes["weights"]) == candidates
     assert sum(notes["weights"]) == pytest.approx(1, abs=0.01)
 
@@ -41,6 +44,23 @@ def test_without_donors_time_alone_is_left():
     assert rms(patch.values, points[100:108, 0]) < 1.0
     long = alone(points, Gap(0, 100, 180))
     assert long.expected_error > 20 * patch.expected_error
+
+
+def test_a_curve_takes_the_place_of_a_blend_that_cannot_be_tested():
+    # Seven frames: there is no other place of this marker to hide, but of the others.
+    gap = Gap(0, 2, 5)
+    recording = punched(body(7, 9), [gap])
+    ours, curve = (fill_with((name, {}), recording, [gap]) for name in ("auto", "cubic"))
+    assert ours.patches[0].values.tobytes() == curve.patches[0].values.tobytes()
+    assert np.isfinite(ours.patches[0].expected_error)
+    assert ours.donors(gap) == ()
+
+
+def test_no_curve_takes_the_place_of_what_named_donors_can_do():
+    gap = Gap(0, 2, 5)
+    ours = fill_with(("auto", {"donors": "M1,M2,M3"}), punched(body(7, 9), [gap]), [gap])
+    assert set(ours.donors(gap)) == {"M1", "M2", "M3"}
+    assert np.isnan(ours.patches[0].expected_error)
 
 
 def test_donors_that_move_on_their_own_do_little_harm():
@@ -108,7 +128,7 @@ def test_donors_that_no_view_looks_at_cost_nothing():
     assert with_far.values.tobytes() == without.values.tobytes()
 
 
-@pytest.mark.parametrize("view", [ALONE, TIGHT, WIDE])
+@pytest.mark.parametrize("view", [TIGHT, WHOLE])
 @pytest.mark.parametrize("start", [0, 100, 270])
 def test_what_is_left_over_in_a_trial_is_what_a_fill_without_it_leaves(view, start):
     # Not exactly: the frame's shape and the features' means still know the trial.

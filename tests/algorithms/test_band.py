@@ -27,6 +27,7 @@ def case(starts, *, length=20, speed=0.0):
         frames=np.arange(200 + length),
         donors=NONE,
         target=np.zeros((200, 3)),
+        seen=np.arange(points.shape[0]) < 200,
         points=points,
     )
 

@@ -55,6 +55,28 @@ def test_nothing_seen_has_no_skeleton(shape: tuple[int, int, int]) -> None:
     assert engine.find_skeleton(source, no_progress).source == "none"
 
 
+def test_automatic_is_no_worse_than_a_curve_where_donors_say_nothing(gait: Path) -> None:
+    # Ghosts: fragments that move like no marker. Their short gaps were left to the donors once.
+    recording = engine.load(gait, no_progress)[0].recording
+    ghosts = [
+        gap
+        for gap in find_gaps(recording.present)
+        if recording.labels[gap.marker].startswith("*") and gap.length <= 0.5 * recording.rate
+    ]
+    expected = {
+        name: {
+            patch.gap: patch.expected_error
+            for patch in METHODS[name]
+            .function(recording, ghosts, METHODS[name].params(), no_progress)
+            .patches
+        }
+        for name in ("auto", "cubic")
+    }
+    compared = expected["auto"].keys() & expected["cubic"].keys()
+    assert len(compared) > 30
+    assert all(expected["auto"][gap] <= 4.01 * expected["cubic"][gap] for gap in compared)
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_a_preview_ignores_the_limits_and_equals_the_fill(holed: Path, method: str) -> None:
     recording = read_c3d(holed).recording

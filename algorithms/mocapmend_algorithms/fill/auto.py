@@ -3,7 +3,9 @@
 Each gap is filled by several Gaussian processes, each in a frame of reference of its own that moves
 with the body near the marker. Stretches like the gap are hidden from each of them, in this very
 recording and with the gap's companions, and what they leave over sets the weights of the blend,
-the expected error and the band. Where the marker has no donors, time alone is left.
+the expected error and the band. Brief gaps have members that look at time alone, and a cubic curve
+takes the place of the blend where its own tests promise much more: donors that come and go leave
+few stretches to test on. Where the marker has no donors, time alone is left.
 """
 
 from collections.abc import Sequence
@@ -13,13 +15,15 @@ from typing import Any
 import numpy as np
 
 from mocapmend_algorithms.arrays import IntArray
-from mocapmend_algorithms.fill import pose_regression
+from mocapmend_algorithms.fill import pose_regression, time_regression
 from mocapmend_algorithms.fill.band import SPEED_DONORS, band
+from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.donors import Donors
 from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.gaussian import Kernel
+from mocapmend_algorithms.fill.interpolate import cubic_windows
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.model_params import (
     LEFT_OPEN,
@@ -27,11 +31,12 @@ from mocapmend_algorithms.fill.model_params import (
     donors_option,
     model_edges_option,
 )
-from mocapmend_algorithms.fill.pose_regression import Candidate, View
+from mocapmend_algorithms.fill.pose_regression import View
 from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
+from mocapmend_algorithms.fill.window import Windows
 from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 DRIFT = (0.1, 10.0)
@@ -48,24 +53,30 @@ QUICK = Kernel(linear=0.02, pose=5.0, temporal=((1.0, 0.1), (1.0, 0.3)), noise=1
 
 NEAR = View(frame=4, donors=20, power=1.5)
 TIGHT = View(frame=3, donors=12, power=2.0, up=0.0, acceleration=0.0)
-WIDE = View(frame=12, donors=30, power=1.5, nearness=0.05)
-WHOLE = View(frame=5, donors=40, power=1.25, nearness=0.01)
+WHOLE = View(frame=5, donors=30, power=1.25, nearness=0.01)
+TIMES = (TIME, SLOW, QUICK)
 
 CANDIDATES: tuple[tuple[View, tuple[Kernel, ...]], ...] = (
     (NEAR, (POSE, BOTH, TIME)),
     (TIGHT, (POSE,)),
-    (WIDE, (POSE, BOTH)),
     (WHOLE, (POSE,)),
 )
-ALONE = View(frame=0, donors=0, power=1.0, up=0.0, acceleration=0.0)
-"""Of a marker without donors: nothing but its own trajectory."""
 PULL = 0.1
 FEW = 6
-SIZE = Size(frames=400, trials=20, judged=10, rest=100)
+"""With fewer donors, time alone is a candidate for gaps of any length."""
+PROMISING = 0.25
+"""A curve must expect this share of the blend's error to take its place."""
+
+SIZE = Size(frames=300, trials=14, judged=7, rest=60)
+BRIEF_S = 0.5
+BRIEF_SIZE = Size(frames=300, trials=18, judged=6, rest=60)
+"""Tests of brief gaps are cheap, and few of them say little."""
 SHORT_S = 0.05
 SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
 """Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
 ENOUGH = 3 * SIZE.frames
+
+Filled = tuple[Patch, dict[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -96,14 +107,46 @@ def auto(
     Returns
     -------
     FillResult
-        With `donors`, `self_tests` and the `weights` of the blend in the notes.
+        With `donors`, `self_tests` and the `weights` of the blend in the notes; a gap with a cubic
+        curve has no donors and no weights.
     """
     survey = Survey(recording, gaps)
+    curves = Windows(recording, gaps, cubic_windows("leave"))
 
-    def fill(gap: Gap, share: Progress) -> tuple[Patch, dict[str, Any]]:
-        return _fill(_case(survey, gap, params), recording, share)
+    def fill(gap: Gap, share: Progress) -> Filled:
+        # Who names donors wants to see what these can do.
+        curve = None if params.donors else _curve(curves, gap, recording)
+        try:
+            blended = _fill(_case(survey, gap, params), recording, share)
+        except LeftOpenError:
+            if curve is None:
+                raise
+            return curve
+        return curve if curve and _more_promising(curve[0], blended[0]) else blended
 
     return fill_each(gaps, fill, progress)
+
+
+def _brief(gap: Gap, frames: int, rate: float) -> bool:
+    """Return whether the samples beside a gap say much about it."""
+    return gap.kind(frames) == "interior" and gap.length <= BRIEF_S * rate
+
+
+def _curve(curves: Windows, gap: Gap, recording: Recording) -> Filled | None:
+    """Draw a cubic curve through a brief gap, tested on stretches that no donor has to be in."""
+    if not _brief(gap, recording.frames, recording.rate):
+        return None
+    try:
+        return curves.fill(gap, no_progress)
+    except LeftOpenError:
+        return None
+
+
+def _more_promising(curve: Patch, blended: Patch) -> bool:
+    """Return whether to trust a curve: where the blend is untested, or much worse by its tests."""
+    if np.isnan(blended.expected_error):
+        return True
+    return curve.expected_error < PROMISING * blended.expected_error
 
 
 def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
@@ -116,8 +159,13 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
         raise LeftOpenError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    short = gap.length <= SHORT_S * survey.recording.rate
-    return survey.case(gap, donors[_looked_at(donors)], SHORT_SIZE if short else SIZE)
+    return survey.case(gap, donors[_looked_at(donors)], _size(gap, survey.recording))
+
+
+def _size(gap: Gap, recording: Recording) -> Size:
+    if gap.length <= SHORT_S * recording.rate:
+        return SHORT_SIZE
+    return BRIEF_SIZE if gap.length <= BRIEF_S * recording.rate else SIZE
 
 
 def _looked_at(donors: Donors) -> IntArray:
@@ -126,7 +174,7 @@ def _looked_at(donors: Donors) -> IntArray:
     return np.unique(np.concatenate([*near, donors.best(SPEED_DONORS)]))
 
 
-def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, dict[str, Any]]:
+def _fill(case: Case, recording: Recording, progress: Progress) -> Filled:
     """Fill a gap, and say how sure that is."""
     candidates = _candidates(case, progress)
     errors = list(zip(*(candidate.errors for candidate in candidates), strict=True))
@@ -153,9 +201,10 @@ def _fill(case: Case, recording: Recording, progress: Progress) -> tuple[Patch, 
 
 
 def _candidates(case: Case, progress: Progress) -> list[Candidate]:
+    alone = len(case.donors) < FEW or _brief(case.gap, case.points.shape[0], case.rate)
+    found = time_regression.regress(case, TIMES) if alone else []
     if not len(case.donors):
-        return pose_regression.regress(case, ALONE, (TIME, SLOW, QUICK))
-    found = pose_regression.regress(case, ALONE, (TIME, SLOW)) if len(case.donors) < FEW else []
+        return found
     for done, (view, kernels) in enumerate(CANDIDATES):
         progress(done / len(CANDIDATES))
         found += pose_regression.regress(case, view, kernels)

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from mocapmend_algorithms.alignment import Alignment, align, mean_shape, standing
-from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.donors import Donors
 from mocapmend_algorithms.fill.gaussian import Times
 from mocapmend_algorithms.fill.lessons import Lesson
@@ -33,7 +33,9 @@ class Case:
         Seen at all of these frames.
     target : ndarray, shape (samples, 3)
         The marker.
-    points : ndarray, shape (frames, markers, 3)
+    seen : ndarray of bool, shape (frames of the recording,)
+        Where the marker is seen.
+    points : ndarray, shape (frames of the recording, markers, 3)
         The recording.
     """
 
@@ -44,6 +46,7 @@ class Case:
     frames: IntArray
     donors: Donors
     target: FloatArray
+    seen: BoolArray
     points: FloatArray
 
     @property
@@ -63,9 +66,16 @@ class Case:
 
     def at(self, donors: IntArray, shift: int = 0) -> FloatArray:
         """Return some of the donors at the frames, or some frames away from them, in mm."""
-        frames = np.clip(self.frames + shift, 0, self.points.shape[0] - 1)
-        chosen: FloatArray = self.points[frames[:, None], self.donors.markers[donors]]
+        if shift not in self._shifted:
+            frames = np.clip(self.frames + shift, 0, self.points.shape[0] - 1)
+            self._shifted[shift] = self.points[frames[:, None], self.donors.markers]
+        chosen: FloatArray = self._shifted[shift].take(donors, axis=1)
         return chosen
+
+    @cached_property
+    def _shifted(self) -> dict[int, FloatArray]:
+        """All donors at the frames, by the shift: views look at them again and again."""
+        return {}
 
     def elapsed(self, step: int) -> FloatArray:
         """Return how many frames `at` has between `-step` and `step`, shape (frames,)."""

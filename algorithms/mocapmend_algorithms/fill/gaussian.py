@@ -108,6 +108,7 @@ class Times:
         self._asked = asked
         self._rate = rate
         self._known: dict[tuple[Kernel, int], FloatArray] = {}
+        self._apart: dict[int, IntArray] = {}
         both = np.concatenate((frames, asked))
         self._longest = int(both.max() - both.min())
 
@@ -119,19 +120,30 @@ class Times:
         """Return the temporal covariance of a part of the asked frames with the samples."""
         return self._covariance(kernel, part, self._asked[self.parts[part]])
 
-    def with_few(self, kernel: Kernel) -> FloatArray:
-        """Return that of the few frames where the spread is computed."""
-        return self._covariance(kernel, -2, self._asked[self.few])
+    def few_of(self, part: int) -> IntArray:
+        """Return the places within a part at which the spread is computed."""
+        first, last = self.parts[part][[0, -1]]
+        few: IntArray = self.few[(self.few >= first) & (self.few <= last)] - first
+        return few
 
     def _covariance(self, kernel: Kernel, which: int, frames: IntArray) -> FloatArray:
         key = kernel, which
         if key in self._known:
             return self._known[key]
-        table = _of_time(kernel, np.arange(self._longest + 1) / self._rate)
-        covariance: FloatArray = table[np.abs(frames[:, None] - self._frames)]
+        table = of_time(kernel, np.arange(self._longest + 1) / self._rate)
+        covariance: FloatArray = table[self._distances(which, frames)]
         if len(self.parts) <= 1:
             self._known[key] = covariance
         return covariance
+
+    def _distances(self, which: int, frames: IntArray) -> IntArray:
+        if which in self._apart:
+            return self._apart[which]
+        apart = frames[:, None] - self._frames
+        np.abs(apart, out=apart)
+        if len(self.parts) <= 1:
+            self._apart[which] = apart
+        return apart
 
 
 def regress(
@@ -165,51 +177,51 @@ def regress(
     mean: FloatArray = values.mean(axis=0)
     among = _Pairs(poses, poses)
     fits = [_Fit(kernel, times, among, values[times.order] - mean) for kernel in kernels]
-    found: list[list[FloatArray]] = [[np.zeros((0, 3))] for _ in kernels]
+    filled: list[list[FloatArray]] = [[np.zeros((0, 3))] for _ in kernels]
+    spread: list[list[FloatArray]] = [[np.zeros(0)] for _ in kernels]
     for part, places in enumerate(times.parts):
         pairs = _Pairs(asked[places], poses, among)
-        for kernel, fit, filled in zip(kernels, fits, found, strict=True):
-            filled.append(mean + fit.predict(pairs, times.with_part(kernel, part)))
-    few = _Pairs(asked[times.few], poses, among)
+        few = times.few_of(part)
+        for kernel, fit, means, spreads in zip(kernels, fits, filled, spread, strict=True):
+            covariance = pairs.covariance(kernel, times.with_part(kernel, part))
+            means.append(mean + fit.predict(covariance))
+            spreads.append(fit.spread(covariance[few], pairs.square[few] / pairs.scale))
     return [
         Regression(
-            np.concatenate(filled),
-            _between(fit.spread(few, times.with_few(kernel)), times.few, asked.shape[0]),
+            np.concatenate(means),
+            _between(np.concatenate(spreads), times.few, asked.shape[0]),
             *fit.left_out(times),
         )
-        for kernel, fit, filled in zip(kernels, fits, found, strict=True)
+        for fit, means, spreads in zip(fits, filled, spread, strict=True)
     ]
 
 
 class _Pairs:
-    """Products and distances of poses with those of the samples, relative to typical ones."""
+    """Products and distances of poses with those of the samples, and what is typical of them."""
 
     def __init__(
         self, poses: FloatArray, samples: FloatArray, among: "_Pairs | None" = None
     ) -> None:
         product: FloatArray = poses @ samples.T
         square: FloatArray = np.einsum("ij,ij->i", poses, poses)
-        theirs = square if among is None else among.square * among.scale
         distance: FloatArray = -2 * product
         distance += square[:, None]
-        distance += theirs
+        distance += square if among is None else among.square
         np.maximum(distance, 0.0, out=distance)
         np.sqrt(distance, out=distance)
-        self.scale: float = _size(square) if among is None else among.scale
-        self.typical: float = _typical(distance) if among is None else among.typical
-        self.square: FloatArray = square / self.scale
+        self.square: FloatArray = square
         self.product: FloatArray = product
         self.distance: FloatArray = distance
-        product /= self.scale
-        distance /= self.typical
+        self.scale: float = _size(square) if among is None else among.scale
+        self.typical: float = _typical(distance) if among is None else among.typical
 
     def covariance(self, kernel: Kernel, of_time: FloatArray) -> FloatArray:
         # In place: these are the largest arrays, and fresh memory costs as much as the numbers.
-        scaled = self.distance * -np.sqrt(3 / kernel.pose)
+        scaled = self.distance * (-np.sqrt(3 / kernel.pose) / self.typical)
         covariance: FloatArray = np.exp(scaled)
         np.subtract(1.0, scaled, out=scaled)
         covariance *= scaled
-        np.multiply(self.product, kernel.linear, out=scaled)
+        np.multiply(self.product, kernel.linear / self.scale, out=scaled)
         covariance += scaled
         covariance += of_time
         return covariance
@@ -219,64 +231,90 @@ class _Fit:
     """The samples' covariance, factorised, and their weights."""
 
     def __init__(self, kernel: Kernel, times: Times, among: _Pairs, values: FloatArray) -> None:
-        from scipy import linalg
-
         self._kernel = kernel
         self._root = self._factorise(kernel.noise, among, times.among(kernel))
-        self._weights = linalg.cho_solve((self._root, True), values, check_finite=False)
+        self._weights = _solve(self._root, values)
 
     def _factorise(self, noise: float, among: _Pairs, of_time: FloatArray) -> FloatArray:
-        from scipy import linalg
-
         covariance = among.covariance(self._kernel, of_time)
         np.einsum("ii->i", covariance)[:] += noise
         try:
             # Its transpose is the same and in the order of columns, which spares a copy.
-            root: FloatArray = linalg.cholesky(
-                covariance.T, lower=True, overwrite_a=True, check_finite=False
-            )
-        except linalg.LinAlgError:
+            return _root(covariance.T)
+        except np.linalg.LinAlgError:
             # Poses that are alike beside one far away: their distances are little but rounding.
             if noise > MOST_NOISE:
                 raise
             return self._factorise(10 * noise, among, of_time)
-        return root
 
-    def predict(self, pairs: _Pairs, of_time: FloatArray) -> FloatArray:
-        predicted: FloatArray = pairs.covariance(self._kernel, of_time) @ self._weights
+    def predict(self, covariance: FloatArray) -> FloatArray:
+        """Return the posterior mean, from the covariance with the samples."""
+        predicted: FloatArray = covariance @ self._weights
         return predicted
 
-    def spread(self, pairs: _Pairs, of_time: FloatArray) -> FloatArray:
-        from scipy import linalg
+    def spread(self, covariance: FloatArray, square: FloatArray) -> FloatArray:
+        """Return the posterior standard deviation, from that and the sizes of the poses."""
+        from scipy.linalg.lapack import dtrtrs
 
         kernel = self._kernel
-        covariance = pairs.covariance(kernel, of_time)
-        known = linalg.solve_triangular(self._root, covariance.T, lower=True, check_finite=False)
-        prior = 1 + sum(variance for variance, _ in kernel.temporal) + kernel.linear * pairs.square
+        known = dtrtrs(self._root, covariance.T, lower=1)[0]
+        prior = 1 + sum(variance for variance, _ in kernel.temporal) + kernel.linear * square
         variance = prior - np.einsum("ij,ij->j", known, known)
         spread: FloatArray = np.sqrt(np.maximum(variance, 0.0) + kernel.noise)
         return spread
 
     def left_out(self, times: Times) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-        from scipy import linalg
-
+        """Return what is left over of each block without it, and how unsure that is."""
         if not times.blocks:
             return (), ()
         first = self._root.shape[0] - times.tested
-        inverse, _ = linalg.lapack.dpotri(self._root[first:, first:], lower=1)
+        factor = _inverse_factor(self._root[first:, first:])
         weights = self._weights[first:]
         residuals, spreads = [], []
         for block in times.blocks:
-            # Only the lower triangle is there, and the indices of a block ascend.
-            root = linalg.cholesky(inverse[block[:, None], block], lower=True, check_finite=False)
-            covariance, _ = linalg.lapack.dpotri(root, lower=1)
-            residuals.append(linalg.cho_solve((root, True), weights[block], check_finite=False))
-            spreads.append(np.sqrt(np.maximum(np.diagonal(covariance), self._kernel.noise)))
+            # The indices of a block ascend, and above them there are only zeros.
+            columns = factor[block[0] :, block]
+            root = _root(columns.T @ columns)
+            residuals.append(_solve(root, weights[block]))
+            own = _inverse_factor(root)
+            variance = np.einsum("ij,ij->j", own, own)
+            spreads.append(np.sqrt(np.maximum(variance, self._kernel.noise)))
         return tuple(residuals), tuple(spreads)
 
 
-def _of_time(kernel: Kernel, seconds: FloatArray) -> FloatArray:
-    """Return the covariance of two moments that far apart."""
+# Straight from LAPACK: there are hundreds of small systems per gap, and all that scipy.linalg does
+# around each takes longer than solving it.
+
+
+def _root(matrix: FloatArray) -> FloatArray:
+    """Return the Cholesky factor, lower, of a matrix that may be overwritten."""
+    from scipy.linalg.lapack import dpotrf
+
+    root, failed = dpotrf(matrix, lower=1, clean=1, overwrite_a=1)
+    if failed:
+        raise np.linalg.LinAlgError("not positive definite")
+    factor: FloatArray = root
+    return factor
+
+
+def _solve(root: FloatArray, values: FloatArray) -> FloatArray:
+    """Solve the equations of the matrix of which this is the Cholesky factor."""
+    from scipy.linalg.lapack import dpotrs
+
+    solution: FloatArray = dpotrs(root, values, lower=1)[0]
+    return solution
+
+
+def _inverse_factor(root: FloatArray) -> FloatArray:
+    """Return the inverse of a Cholesky factor: its columns' products are the matrix's inverse."""
+    from scipy.linalg.lapack import dtrtri
+
+    factor: FloatArray = dtrtri(root, lower=1)[0]
+    return factor
+
+
+def of_time(kernel: Kernel, seconds: FloatArray) -> FloatArray:
+    """Return the covariance of the functions of time at two moments that far apart."""
     total = np.zeros_like(seconds)
     for variance, scale in kernel.temporal:
         scaled = seconds * (np.sqrt(5 if kernel.smooth else 3) / scale)

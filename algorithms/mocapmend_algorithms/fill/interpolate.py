@@ -83,8 +83,12 @@ def cubic(
     recording: Recording, gaps: Sequence[Gap], params: CubicParams, progress: Progress, /
 ) -> FillResult:
     """Draw a cubic spline (not-a-knot) through the samples on both sides of the gap."""
-    method = WindowMethod.single(_cubic, "a cubic curve", params.edges, reach=SPLINE_REACH, least=4)
-    return fill_windows(recording, gaps, method, progress)
+    return fill_windows(recording, gaps, cubic_windows(params.edges), progress)
+
+
+def cubic_windows(edges: Edges) -> WindowMethod:
+    """Return what the windows of `cubic` look like."""
+    return WindowMethod.single(_cubic, "a cubic curve", edges, reach=SPLINE_REACH, least=4)
 
 
 def pchip(

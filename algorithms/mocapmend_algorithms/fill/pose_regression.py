@@ -8,6 +8,7 @@ import numpy as np
 from mocapmend_algorithms.alignment import Alignment
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill import gaussian
+from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.gaussian import Kernel, Regression
 
@@ -45,27 +46,6 @@ class View:
     nearness: float = 0.02
     up: float = 2.0
     acceleration: float = 0.3
-
-
-@dataclass(frozen=True, eq=False)
-class Candidate:
-    """A fill, and what it leaves over in the trials; in mm, in the world's axes.
-
-    Attributes
-    ----------
-    values : ndarray, shape (length, 3)
-    spread : ndarray, shape (length,)
-        How unsure it is, in its own unit.
-    errors : tuple of ndarray, shape (judged, 3)
-        Per trial: the truth minus the fill.
-    spreads : tuple of ndarray, shape (judged,)
-        `spread` of the same.
-    """
-
-    values: FloatArray
-    spread: FloatArray
-    errors: tuple[FloatArray, ...]
-    spreads: tuple[FloatArray, ...]
 
 
 def regress(case: Case, view: View, kernels: Sequence[Kernel]) -> list[Candidate]:

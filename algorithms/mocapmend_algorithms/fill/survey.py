@@ -136,6 +136,7 @@ class Survey:
             frames=np.concatenate((lesson.frames, np.arange(gap.start, gap.stop))),
             donors=donors,
             target=self.points[lesson.frames, gap.marker],
+            seen=self.observed[:, gap.marker],
             points=self.points,
         )
 

@@ -155,7 +155,7 @@ def fill_windows(
     FillResult
         With `self_tests`, `tested_on` and the chosen setting per gap in the notes.
     """
-    return fill_each(gaps, _Filler(recording, gaps, method).fill, progress)
+    return fill_each(gaps, Windows(recording, gaps, method).fill, progress)
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,8 +167,14 @@ class _Choice:
     notes: dict[str, Any]
 
 
-class _Filler:
-    """Windows of one recording, and what was learned from its self-tests."""
+class Windows:
+    """Windows of one recording, and what was learned from its self-tests.
+
+    Parameters
+    ----------
+    recording, gaps, method
+        As in `fill_windows`.
+    """
 
     def __init__(self, recording: Recording, gaps: Sequence[Gap], method: WindowMethod) -> None:
         self._recording = recording
@@ -212,7 +218,13 @@ class _Filler:
         return ""
 
     def fill(self, gap: Gap, _: Progress) -> tuple[Patch, dict[str, Any]]:
-        """Fill a gap and say how sure that is."""
+        """Fill a gap and say how sure that is.
+
+        Raises
+        ------
+        LeftOpenError
+            If the method cannot fill it.
+        """
         knots = self._knots(gap)
         if reason := self._obstacle(gap, knots):
             raise LeftOpenError(reason)
