@@ -66,16 +66,17 @@ class Case:
 
     def at(self, donors: IntArray, shift: int = 0) -> FloatArray:
         """Return some of the donors at the frames, or some frames away from them, in mm."""
-        if shift not in self._shifted:
-            frames = np.clip(self.frames + shift, 0, self.points.shape[0] - 1)
-            self._shifted[shift] = self.points[frames[:, None], self.donors.markers]
-        chosen: FloatArray = self._shifted[shift].take(donors, axis=1)
+        if not shift:
+            return self._here.take(donors, axis=1)
+        frames = np.clip(self.frames + shift, 0, self.points.shape[0] - 1)
+        chosen: FloatArray = self.points[frames[:, None], self.donors.markers[donors]]
         return chosen
 
     @cached_property
-    def _shifted(self) -> dict[int, FloatArray]:
-        """All donors at the frames, by the shift: views look at them again and again."""
-        return {}
+    def _here(self) -> FloatArray:
+        """All donors at the frames: every view looks at them again."""
+        here: FloatArray = self.points[self.frames[:, None], self.donors.markers]
+        return here
 
     def elapsed(self, step: int) -> FloatArray:
         """Return how many frames `at` has between `-step` and `step`, shape (frames,)."""

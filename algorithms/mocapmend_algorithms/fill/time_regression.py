@@ -31,27 +31,26 @@ def regress(case: Case, kernels: Sequence[Kernel]) -> list[Candidate]:
     list of Candidate
         One per kernel.
     """
-    seen = np.flatnonzero(case.seen)
-    track = case.points[:, case.gap.marker]
-    kind = case.gap.kind(case.seen.size)
-
-    def fill(start: int, stop: int, asked: IntArray) -> _Fit:
-        first, last = np.searchsorted(seen, [start, stop])
-        before = first - BORDERS[first >= BORDERS][::-1]
-        after = last + BORDERS[seen.size - last >= BORDERS] - 1
-        if kind == "leading":
-            before = before[:0]
-        if kind == "trailing":
-            after = after[:0]
-        knots = seen[np.concatenate((before, after))]
-        return _fit(knots, track[knots], asked, case.rate, kernels)
-
-    fits = [fill(case.gap.start, case.gap.stop, case.frames[case.samples :])]
-    truths = []
+    stretches = [(case.gap.start, case.gap.stop, case.frames[case.samples :])]
     for trial in case.lesson.trials:
         judged = case.lesson.frames[trial.hidden[trial.judged]]
-        truths.append(track[judged])
-        fits.append(fill(trial.start, trial.stop, judged))
+        stretches.append((trial.start, trial.stop, judged))
+    seen = np.flatnonzero(case.seen)
+    kind = case.gap.kind(case.seen.size)
+    known = [_beside(seen, kind, start, stop) for start, stop, _ in stretches]
+    longest = max(
+        int(np.ptp(np.concatenate((knots, asked))))
+        for knots, (_, _, asked) in zip(known, stretches, strict=True)
+    )
+    seconds = np.arange(longest + 1) / case.rate
+    covariance = np.stack([of_time(kernel, seconds) for kernel in kernels])
+    noise = np.array([kernel.noise for kernel in kernels])[:, None]
+    track = case.points[:, case.gap.marker]
+    fits = [
+        _fit(knots, track[knots], asked, covariance, noise)
+        for knots, (_, _, asked) in zip(known, stretches, strict=True)
+    ]
+    truths = [track[asked] for _, _, asked in stretches[1:]]
     return [
         Candidate(
             fits[0].values[each],
@@ -61,6 +60,19 @@ def regress(case: Case, kernels: Sequence[Kernel]) -> list[Candidate]:
         )
         for each in range(len(kernels))
     ]
+
+
+def _beside(seen: IntArray, kind: str, start: int, stop: int) -> IntArray:
+    """Return the frames of the samples beside a stretch, on the sides that a gap has."""
+    first, last = np.searchsorted(seen, [start, stop])
+    before = first - BORDERS[first >= BORDERS][::-1]
+    after = last + BORDERS[seen.size - last >= BORDERS] - 1
+    if kind == "leading":
+        before = before[:0]
+    if kind == "trailing":
+        after = after[:0]
+    beside: IntArray = seen[np.concatenate((before, after))]
+    return beside
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,15 +92,17 @@ class _Fit:
 
 
 def _fit(
-    knots: IntArray, values: FloatArray, asked: IntArray, rate: float, kernels: Sequence[Kernel]
+    knots: IntArray,
+    values: FloatArray,
+    asked: IntArray,
+    covariance: FloatArray,
+    noise: FloatArray,
 ) -> _Fit:
-    apart = np.abs(knots[:, None] - knots) / rate
-    away = np.abs(asked[:, None] - knots) / rate
-    mean = values.mean(axis=0)
-    among = np.stack([of_time(k, apart) + k.noise * np.eye(knots.size) for k in kernels])
-    across = np.stack([of_time(k, away) for k in kernels])
+    """Regress; the covariance, shape (kernels, frames), is that of samples so far apart."""
+    among = covariance[:, np.abs(knots[:, None] - knots)]
+    among += noise[:, :, None] * np.eye(knots.size)
+    across = covariance[:, np.abs(asked[:, None] - knots)]
     gain = np.linalg.solve(among, across.transpose(0, 2, 1)).transpose(0, 2, 1)
-    noise = np.array([[kernel.noise] for kernel in kernels])
-    prior = np.stack([of_time(k, np.zeros(1)) for k in kernels]) + noise
-    variance = prior - np.einsum("kan,kan->ka", across, gain)
+    mean = values.mean(axis=0)
+    variance = covariance[:, :1] + noise - np.einsum("kan,kan->ka", across, gain)
     return _Fit(mean + gain @ (values - mean), np.sqrt(np.maximum(variance, noise)))
