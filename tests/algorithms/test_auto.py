@@ -54,6 +54,7 @@ def test_a_curve_takes_the_place_of_a_blend_that_cannot_be_tested():
     assert ours.patches[0].values.tobytes() == curve.patches[0].values.tobytes()
     assert np.isfinite(ours.patches[0].expected_error)
     assert ours.donors(gap) == ()
+    assert ours.notes[gap]["curve"]
 
 
 def test_no_curve_takes_the_place_of_what_named_donors_can_do():

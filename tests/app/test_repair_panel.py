@@ -167,6 +167,18 @@ def test_only_the_error_is_limited_at_first(workspace: Workspace, settings: Sett
 # --- what a preview promises ---------------------------------------------------------------------
 
 
+def test_the_preview_says_where_automatic_draws_a_curve(
+    open_in: Open, gait: Path, qtbot: QtBot
+) -> None:
+    # A fragment that is nobody's marker: no other marker knows where it goes.
+    workspace = workspace_of(open_in(gait))
+    fragment = workspace.document.original.labels.index("*53")
+    gap = next(gap for gap in workspace.document.gaps if gap.marker == fragment and gap.start > 0)
+    assert preview_of(workspace, gap, qtbot).note["curve"]
+    assert "A cubic spline" in promise(workspace)
+    assert "Donors" not in promise(workspace)
+
+
 @pytest.mark.parametrize("kind", HOLES)
 def test_error_band_and_donors_are_known_before_applying(
     workspace: Workspace, qtbot: QtBot, kind: str

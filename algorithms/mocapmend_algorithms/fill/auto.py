@@ -108,7 +108,7 @@ def auto(
     -------
     FillResult
         With `donors`, `self_tests` and the `weights` of the blend in the notes; a gap with a cubic
-        curve has no donors and no weights.
+        curve has neither donors nor weights, but `curve`.
     """
     survey = Survey(recording, gaps)
     curves = Windows(recording, gaps, cubic_windows("leave"))
@@ -137,9 +137,10 @@ def _curve(curves: Windows, gap: Gap, recording: Recording) -> Filled | None:
     if not _brief(gap, recording.frames, recording.rate):
         return None
     try:
-        return curves.fill(gap, no_progress)
+        patch, notes = curves.fill(gap, no_progress)
     except LeftOpenError:
         return None
+    return patch, {**notes, "curve": True}
 
 
 def _more_promising(curve: Patch, blended: Patch) -> bool:

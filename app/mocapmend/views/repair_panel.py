@@ -296,6 +296,8 @@ class RepairPanel(QScrollArea):
         if preview.patch.expected_error * self._document.original.mm > limit:
             text += "<br>" + self.tr("<b>⚠ Above the limit of {0} mm</b>").format(f"{limit:g}")
         text += self._donors_text(preview.donors)
+        if preview.note.get("curve"):
+            text += "<br>" + self.tr("A cubic spline: the other markers say less about this gap.")
         tests = preview.note.get("self_tests")
         if tests:
             where = (
