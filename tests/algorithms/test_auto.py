@@ -26,7 +26,7 @@ def alone(points, gap, variant=("auto", {}), **options):
 
 @pytest.mark.parametrize(
     ("donors", "length", "candidates", "tests"),
-    [(0, 30, 3, 18), (0, 80, 3, 14), (3, 80, 8, 14), (9, 80, 5, 14), (9, 30, 8, 18), (9, 5, 8, 12)],
+    [(0, 30, 3, 18), (0, 80, 3, 14), (3, 80, 8, 14), (9, 80, 5, 14), (9, 30, 7, 18), (9, 5, 7, 12)],
 )
 def test_the_notes_say_what_was_blended(donors, length, candidates, tests):
     gap = Gap(0, 100, 100 + length)

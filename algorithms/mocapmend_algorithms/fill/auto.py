@@ -61,6 +61,8 @@ CANDIDATES: tuple[tuple[View, tuple[Kernel, ...]], ...] = (
     (TIGHT, (POSE,)),
     (WHOLE, (POSE,)),
 )
+BRIEF_CANDIDATES = ((NEAR, (POSE, BOTH)), *CANDIDATES[1:])
+"""Of brief gaps, which the marker's own samples tell of as well as time in a frame does."""
 PULL = 0.1
 FEW = 6
 """With fewer donors, time alone is a candidate for gaps of any length."""
@@ -202,12 +204,13 @@ def _fill(case: Case, recording: Recording, progress: Progress) -> Filled:
 
 
 def _candidates(case: Case, progress: Progress) -> list[Candidate]:
-    alone = len(case.donors) < FEW or _brief(case.gap, case.points.shape[0], case.rate)
-    found = time_regression.regress(case, TIMES) if alone else []
+    brief = _brief(case.gap, case.points.shape[0], case.rate)
+    found = time_regression.regress(case, TIMES) if brief or len(case.donors) < FEW else []
     if not len(case.donors):
         return found
-    for done, (view, kernels) in enumerate(CANDIDATES):
-        progress(done / len(CANDIDATES))
+    candidates = BRIEF_CANDIDATES if brief else CANDIDATES
+    for done, (view, kernels) in enumerate(candidates):
+        progress(done / len(candidates))
         found += pose_regression.regress(case, view, kernels)
     return found
 
