@@ -37,7 +37,8 @@ def test_values_and_spread_are_those_of_scikit_learn(kernel):
     values, spread = peer.predict(asked, return_std=True)
     np.testing.assert_allclose(candidate.values, mean + values, atol=1e-4)
     expected = np.sqrt(spread[:, 0] ** 2 + kernel.noise)
-    np.testing.assert_allclose(candidate.spread, expected, rtol=1e-3)
+    # In its own unit: the size of the motion beside the gap.
+    np.testing.assert_allclose(candidate.spread / candidate.spread[0], expected / expected[0], 1e-3)
 
 
 @pytest.mark.parametrize("start", [0, 150, 370])
@@ -67,7 +68,8 @@ def test_what_is_left_over_in_a_trial_is_what_a_fill_of_it_leaves(start):
             np.testing.assert_allclose(
                 candidate.errors[place], points[judged, 0] - again.values, atol=1e-6
             )
-            np.testing.assert_allclose(candidate.spreads[place], again.spread, rtol=1e-6)
+            unit = candidate.spreads[place] / again.spread
+            np.testing.assert_allclose(unit, unit[0], rtol=1e-6)
 
 
 def test_donors_that_are_gone_beside_the_gap_change_nothing():
@@ -88,3 +90,17 @@ def test_a_brief_gap_is_filled_well():
     ]
     assert min(errors) < 0.2
     assert max(errors) < 5.0
+
+
+def test_the_spread_follows_the_motion_beside_the_gap():
+    # A marker that rests for most of the recording: what its rest shows is no promise for a swing.
+    swing = smooth_motion(600, 1)
+    swing[:450] = swing[450] + (swing[:450] - swing[450]) / 50
+    points = jittery(swing, 0.01)
+    resting, swinging = (
+        regress(case_of(points, Gap(0, start, start + 20)), TIMES) for start in (200, 520)
+    )
+    for rest, move in zip(resting, swinging, strict=True):
+        apart = 1 / np.median([np.median(spread) for spread in rest.spreads])
+        others = 1 / np.median([np.median(spread) for spread in move.spreads])
+        assert np.median(move.spread) * others > 5 * np.median(rest.spread) * apart

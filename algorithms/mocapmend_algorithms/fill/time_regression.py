@@ -15,6 +15,9 @@ from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.gaussian import Kernel, of_time
 from mocapmend_algorithms.fill.lessons import BORDERS
 
+LEAST_SIZE = 0.3
+"""Of the motion beside a gap, relative to the usual: few samples may look stiller than it was."""
+
 
 def regress(case: Case, kernels: Sequence[Kernel]) -> list[Candidate]:
     """Fill a gap from the marker's own samples beside it.
@@ -50,13 +53,15 @@ def regress(case: Case, kernels: Sequence[Kernel]) -> list[Candidate]:
         _fit(knots, track[knots], asked, covariance, noise)
         for knots, (_, _, asked) in zip(known, stretches, strict=True)
     ]
+    usual = np.median([fit.size for fit in fits], axis=0)
+    spreads = [fit.spread * np.hypot(fit.size, LEAST_SIZE * usual)[:, None] for fit in fits]
     truths = [track[asked] for _, _, asked in stretches[1:]]
     return [
         Candidate(
             fits[0].values[each],
-            fits[0].spread[each],
+            spreads[0][each],
             tuple(truth - fit.values[each] for truth, fit in zip(truths, fits[1:], strict=True)),
-            tuple(fit.spread[each] for fit in fits[1:]),
+            tuple(spread[each] for spread in spreads[1:]),
         )
         for each in range(len(kernels))
     ]
@@ -84,11 +89,14 @@ class _Fit:
     values : ndarray, shape (kernels, asked, 3)
         Posterior mean.
     spread : ndarray, shape (kernels, asked)
-        Posterior standard deviation of a sample.
+        Posterior standard deviation of a sample, for a motion of unit size.
+    size : ndarray, shape (kernels,)
+        Of the motion beside the stretch, by the samples' likelihood, in mm.
     """
 
     values: FloatArray
     spread: FloatArray
+    size: FloatArray
 
 
 def _fit(
@@ -104,5 +112,8 @@ def _fit(
     across = covariance[:, np.abs(asked[:, None] - knots)]
     gain = np.linalg.solve(among, across.transpose(0, 2, 1)).transpose(0, 2, 1)
     mean = values.mean(axis=0)
+    around = values - mean
+    weights = np.linalg.solve(among, np.broadcast_to(around, (len(noise), *around.shape)))
+    size = np.sqrt(np.einsum("ni,kni->k", around, weights) / around.size)
     variance = covariance[:, :1] + noise - np.einsum("kan,kan->ka", across, gain)
-    return _Fit(mean + gain @ (values - mean), np.sqrt(np.maximum(variance, noise)))
+    return _Fit(mean + across @ weights, np.sqrt(np.maximum(variance, noise)), size)
