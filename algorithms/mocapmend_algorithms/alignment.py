@@ -99,11 +99,6 @@ def turns(product: FloatArray) -> FloatArray:
     return rotation
 
 
-def standing(frames: int) -> Alignment:
-    """Return the alignment that leaves all points where they are."""
-    return Alignment(np.tile(np.eye(3), (frames, 1, 1)), np.zeros((frames, 3)), np.zeros(3))
-
-
 def mean_shape(points: FloatArray, weights: FloatArray) -> FloatArray:
     """Return the mean shape of a group of markers.
 

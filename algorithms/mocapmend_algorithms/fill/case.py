@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mocapmend_algorithms.alignment import Alignment, align, mean_shape, standing
+from mocapmend_algorithms.alignment import Alignment, align, mean_shape
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.donors import Donors
 from mocapmend_algorithms.fill.gaussian import Times
@@ -92,7 +92,5 @@ class Case:
 
     def aligned(self, donors: IntArray, weights: FloatArray) -> Alignment:
         """Return the motion of some of the donors at the frames."""
-        if not donors.size:
-            return standing(self.frames.size)
         points = self.at(donors)
         return align(points, mean_shape(points[: self.samples], weights), weights)
