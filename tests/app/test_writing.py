@@ -1,7 +1,6 @@
 """Every format written as every other: what comes back, what is lost, and what is kept safe."""
 
 import errno
-import hashlib
 import json
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,7 +10,7 @@ from typing import BinaryIO
 import numpy as np
 import pytest
 from c3d_synthetic import walk
-from recording_samples import NO_LIMITS, SOURCES, TARGETS, changes_in, repair, write_sample
+from recording_samples import NO_LIMITS, SOURCES, TARGETS, changes_in, digest, repair, write_sample
 
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
@@ -23,10 +22,6 @@ from mocapmend_algorithms.fill.registry import METHODS
 
 NONE = engine.Changes((), ())
 IMPORTED = [kind for kind in SOURCES if kind != "c3d"]
-
-
-def digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def content(folder: Path) -> dict[str, bytes]:

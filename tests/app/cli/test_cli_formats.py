@@ -1,6 +1,5 @@
 """The commands on recordings of every format, and `mocapmend convert`."""
 
-import hashlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -8,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from c3d_synthetic import Synthetic, encode, walk
-from recording_samples import SOURCES, TARGETS, repair, write_sample
+from recording_samples import SOURCES, TARGETS, digest, repair, write_sample
 
 from mocapmend.cli import main
 from mocapmend.cli.dispatch import COMMANDS
@@ -18,10 +17,6 @@ from mocapmend.files.sidecar import sidecar_path
 Json = Callable[..., tuple[int, Any]]
 IMPORTED = [kind for kind in SOURCES if kind != "c3d"]
 ALL = ("--max-error", "inf")
-
-
-def digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def content(folder: Path) -> dict[str, bytes]:

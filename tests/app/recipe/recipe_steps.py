@@ -1,6 +1,5 @@
 """What the tests of recipes have in common."""
 
-import hashlib
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +9,6 @@ from mocapmend import engine, recipe
 from mocapmend.files import RepairRecord, Source, read_recording
 from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.fill.registry import METHODS
-
-
-def digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def interior(source: Source) -> list[Gap]:

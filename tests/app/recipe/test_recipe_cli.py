@@ -4,7 +4,8 @@ import json
 from pathlib import Path
 
 import pytest
-from recipe_steps import digest, fills, interior
+from recipe_steps import fills, interior
+from recording_samples import digest
 
 from mocapmend import recipe
 from mocapmend.cli import main

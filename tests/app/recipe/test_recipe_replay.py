@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from recipe_steps import digest, export, fills, interior, replayed
-from recording_samples import NO_LIMITS, changes_in, repair, write_sample
+from recipe_steps import export, fills, interior, replayed
+from recording_samples import NO_LIMITS, changes_in, digest, repair, write_sample
 
 from mocapmend import engine, recipe
 from mocapmend.commands import EditSamples
