@@ -104,3 +104,10 @@ def test_the_spread_follows_the_motion_beside_the_gap():
         apart = 1 / np.median([np.median(spread) for spread in rest.spreads])
         others = 1 / np.median([np.median(spread) for spread in move.spreads])
         assert np.median(move.spread) * others > 5 * np.median(rest.spread) * apart
+
+
+def test_a_marker_that_stands_still_is_filled_where_it_stands():
+    points, gap = np.ones((100, 1, 3)), Gap(0, 50, 60)
+    for candidate in regress(case_of(points, gap), TIMES):
+        np.testing.assert_allclose(candidate.values, 1.0, atol=1e-9)
+        assert (candidate.spread > 0).all()

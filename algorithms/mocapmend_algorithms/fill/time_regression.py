@@ -14,6 +14,7 @@ from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.gaussian import Kernel, of_time
 from mocapmend_algorithms.fill.lessons import BORDERS
+from mocapmend_algorithms.fill.stack import LEAST_MM
 
 LEAST_SIZE = 0.3
 """Of the motion beside a gap, relative to the usual: few samples may look stiller than it was."""
@@ -54,7 +55,9 @@ def regress(case: Case, kernels: Sequence[Kernel]) -> list[Candidate]:
         for knots, (_, _, asked) in zip(known, stretches, strict=True)
     ]
     usual = np.median([fit.size for fit in fits], axis=0)
-    spreads = [fit.spread * np.hypot(fit.size, LEAST_SIZE * usual)[:, None] for fit in fits]
+    # A marker that stands still has no size.
+    sizes = [np.maximum(np.hypot(fit.size, LEAST_SIZE * usual), LEAST_MM) for fit in fits]
+    spreads = [fit.spread * size[:, None] for fit, size in zip(fits, sizes, strict=True)]
     truths = [track[asked] for _, _, asked in stretches[1:]]
     return [
         Candidate(
