@@ -1,0 +1,1 @@
+"""Sparse codes of poses and motion: solvers, dictionaries and what they are made of."""
