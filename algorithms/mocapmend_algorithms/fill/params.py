@@ -147,6 +147,8 @@ def _value(name: str, text: str, hint: Any) -> Any:
         if text not in choices:
             raise ValueError(f"{name} must be one of {', '.join(choices)}, not {text!r}")
         return text
+    if hint is str:
+        return text
     if hint is bool:
         if text.lower() not in WORDS:
             raise ValueError(f"{name} must be true or false, not {text!r}")

@@ -1,0 +1,265 @@
+"""Motion to learn from, of other recordings, and its file.
+
+A training set is what the sparse methods learn from beside the recording itself: complete frames of
+several recordings with one set of markers, and dictionaries that were trained on them. Its file is
+a NumPy archive (npz) without pickled objects.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, get_args
+from zipfile import BadZipFile
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.recording import Recording, UpAxis
+
+FORMAT = 1
+
+
+class TrainingSetError(ValueError):
+    """A training set cannot be used; the message says why, in words a user understands."""
+
+
+@dataclass(frozen=True, eq=False)
+class TrainingSet:
+    """Complete frames of recordings with the same markers.
+
+    Attributes
+    ----------
+    labels : tuple of str, length markers
+        Without the prefix of a subject.
+    rate : float
+        Frames per second (Hz).
+    poses : ndarray, shape (frames, markers, 3)
+        Coordinates in mm, finite; the recordings one after the other.
+    lengths : tuple of int
+        Frames of each recording.
+    up : str
+        The axis that points up, as "+z".
+    about : str
+        What it was made from, for people.
+    atoms : mapping of str to ndarray, shape (rows, atoms)
+        Trained dictionaries by their name.
+    settings : mapping
+        How the dictionaries were trained.
+    """
+
+    labels: tuple[str, ...]
+    rate: float
+    poses: FloatArray
+    lengths: tuple[int, ...]
+    up: UpAxis = "+z"
+    about: str = ""
+    atoms: Mapping[str, FloatArray] = field(default_factory=dict)
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+    def motions(self, up: UpAxis) -> list[FloatArray]:
+        """Return the frames of each recording, shape (frames, markers, 3), in mm.
+
+        Parameters
+        ----------
+        up : str
+            The axis that is to point up; where the set has another, all is turned.
+        """
+        turned = self.poses @ _turn(self.up, up).T
+        return np.split(turned, np.cumsum(self.lengths)[:-1])
+
+    def places_of(self, labels: Sequence[str]) -> IntArray:
+        """Find the markers of a recording in this set.
+
+        Parameters
+        ----------
+        labels : sequence of str
+            Of the recording; case and subject prefixes do not matter.
+
+        Returns
+        -------
+        ndarray of int, shape (markers of this set,)
+            The recording's marker for each of this set's.
+
+        Raises
+        ------
+        TrainingSetError
+            If the recording lacks some of them, or has one twice.
+        """
+        bare = [label.rpartition(":")[2].strip().upper() for label in labels]
+        wanted = [label.upper() for label in self.labels]
+        lacking = [label for label in self.labels if label.upper() not in bare]
+        if lacking:
+            some = ", ".join(lacking[:5]) + (" ..." if len(lacking) > 5 else "")
+            raise TrainingSetError(
+                f"the training set is of other markers: {len(lacking)} of its {len(wanted)} are "
+                f"not in this recording ({some})"
+            )
+        twice = [label for label in self.labels if bare.count(label.upper()) > 1]
+        if twice:
+            raise TrainingSetError(
+                f"the recording has more than one marker {twice[0]}: a training set is for one "
+                "subject"
+            )
+        return np.array([bare.index(label) for label in wanted], dtype=np.int64)
+
+
+def gather(recordings: Sequence[Recording], about: str = "") -> TrainingSet:
+    """Make a training set from recordings.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        With the same markers, in any order and unit, and the same frame rate. Only frames that
+        show all markers are taken.
+    about : str
+        What they are, for people.
+
+    Returns
+    -------
+    TrainingSet
+        The markers that all recordings have, in the order of the first.
+
+    Raises
+    ------
+    TrainingSetError
+        If there is no recording, no common marker, no complete frame, or if rates or up axes
+        differ.
+    """
+    if not recordings:
+        raise TrainingSetError("there is no recording to learn from")
+    first = recordings[0]
+    names = [[_bare(label) for label in recording.labels] for recording in recordings]
+    common = [name for name in names[0] if all(own.count(name) == 1 for own in names)]
+    if not common:
+        raise TrainingSetError("the recordings have no marker in common")
+    poses: list[FloatArray] = []
+    for recording, own in zip(recordings, names, strict=True):
+        if recording.rate != first.rate:
+            raise TrainingSetError(
+                f"the recordings have different frame rates: {first.rate:g} and "
+                f"{recording.rate:g} Hz"
+            )
+        if recording.up != first.up:
+            raise TrainingSetError(
+                f"the recordings have different up axes: {first.up} and {recording.up}"
+            )
+        points = recording.points[:, [own.index(name) for name in common]] * recording.mm
+        seen = np.asarray(~np.isnan(points).any(axis=(1, 2)))
+        poses += [points[a:b] for a, b in runs(seen)]
+    if not poses:
+        raise TrainingSetError("no frame of the recordings shows all their common markers")
+    return TrainingSet(
+        tuple(common),
+        first.rate,
+        np.concatenate(poses),
+        tuple(len(part) for part in poses),
+        first.up,
+        about,
+    )
+
+
+def write_training_set(training: TrainingSet, path: Path) -> None:
+    """Write a training set; coordinates and weights have single precision there.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    head = {
+        "format": FORMAT,
+        "labels": list(training.labels),
+        "rate": training.rate,
+        "lengths": list(training.lengths),
+        "up": training.up,
+        "about": training.about,
+        "settings": dict(training.settings),
+    }
+    arrays = {f"atoms {name}": atoms.astype(np.float32) for name, atoms in training.atoms.items()}
+    with path.open("wb") as stream:
+        np.savez_compressed(
+            stream,
+            allow_pickle=False,
+            head=np.array(json.dumps(head)),
+            poses=training.poses.astype(np.float32),
+            **arrays,
+        )
+
+
+def read_training_set(path: Path) -> TrainingSet:
+    """Read a training set.
+
+    Raises
+    ------
+    TrainingSetError
+        If there is no such file, or it is not a training set.
+    """
+    try:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
+            head = json.loads(str(archive["head"]))
+            poses = np.asarray(archive["poses"], dtype=np.float64)
+            atoms = {
+                name.removeprefix("atoms "): np.asarray(archive[name], dtype=np.float64)
+                for name in archive.files
+                if name.startswith("atoms ")
+            }
+        training = TrainingSet(
+            tuple(map(str, head["labels"])),
+            float(head["rate"]),
+            poses,
+            tuple(map(int, head["lengths"])),
+            head["up"],
+            str(head["about"]),
+            atoms,
+            dict(head["settings"]),
+        )
+        _check(training, head["format"])
+    except FileNotFoundError:
+        raise TrainingSetError("there is no such training set") from None
+    except TrainingSetError:
+        raise
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile):
+        raise TrainingSetError(
+            "this is not a training set of mocapmend, or it is damaged"
+        ) from None
+    return training
+
+
+def _check(training: TrainingSet, version: object) -> None:
+    if version != FORMAT:
+        raise TrainingSetError(f"the training set has format {version}, not {FORMAT}")
+    if training.up not in get_args(UpAxis):
+        raise TrainingSetError(f"the training set says that {training.up} points up")
+    shape = (sum(training.lengths), len(training.labels), 3)
+    if training.poses.shape != shape or min(training.lengths, default=0) < 1:
+        raise TrainingSetError("the training set contradicts itself: its frames are not as listed")
+    arrays = [training.poses, *training.atoms.values()]
+    if not all(np.isfinite(array).all() for array in arrays) or not training.rate > 0:
+        raise TrainingSetError("the training set has values that are no numbers")
+
+
+def _bare(label: str) -> str:
+    return label.rpartition(":")[2].strip()
+
+
+def up_vector(up: UpAxis) -> FloatArray:
+    """Return the unit vector that points up, shape (3,)."""
+    vector = np.zeros(3)
+    vector["xyz".index(up[1])] = 1.0 if up[0] == "+" else -1.0
+    return vector
+
+
+def _turn(start: UpAxis, stop: UpAxis) -> FloatArray:
+    """Return the smallest rotation that turns one upward axis into another."""
+    a, b = up_vector(start), up_vector(stop)
+    cosine = float(a @ b)
+    if cosine < 0:
+        aside = np.roll(np.abs(a), 1)
+        return 2 * np.outer(aside, aside) - np.eye(3)
+    cross = np.cross(a, b)
+    x, y, z = cross
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    rotation: FloatArray = np.eye(3) + skew + skew @ skew / (1 + cosine)
+    return rotation
