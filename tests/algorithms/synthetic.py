@@ -59,6 +59,9 @@ MODEL_VARIANTS = [
     ("pca-r2", {"weight_scale_mm": "500"}),
     ("burke-lasenby", {}),
     ("burke-lasenby", {"noise_mm": "1"}),
+    ("bone-dictionary", {"atoms": "40"}),
+    ("bone-dictionary", {"atoms": "40", "keep_bones": "false"}),
+    ("smbs", {"atoms": "40"}),
 ]
 """Of the methods that look at other markers; the others' are `VARIANTS`."""
 UNITS = ["mm", "cm", "m"]

@@ -1,5 +1,7 @@
 """What every method promises that looks at other markers, whatever the recording."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -111,7 +113,7 @@ def test_never_looks_into_a_gap_that_it_is_given(variant):
 def test_moves_with_the_recording(variant):
     points = punch(bending_body(200, 9), GAPS)
     here = fill_with(variant, record(points), GAPS)
-    moved = record(2 * points[:, :, [2, 0, 1]] + [300.0, -20.0, 7.0])
+    moved = replace(record(2 * points[:, :, [2, 0, 1]] + [300.0, -20.0, 7.0]), up="+x")
     known = MILLIMETRES | variant[1]
     fields = METHODS[variant[0]].params.__dataclass_fields__
     doubled = variant[1] | {

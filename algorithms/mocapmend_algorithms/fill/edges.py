@@ -5,13 +5,14 @@ residual there is blended linearly from one edge to the other. Where one side ha
 the gap (an *open* side, as at the beginning of a recording), the other side's residual decays.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.model_params import ModelEdges, model_edges_option
 from mocapmend_algorithms.fill.params import option
@@ -106,6 +107,7 @@ def meet_edges(
     gaps: Sequence[Gap],
     said: Mapping[Gap, Modelled | str],
     params: EdgeParams,
+    fade_s: float = math.inf,
 ) -> FillResult:
     """Make a result, without bands, of what a model says.
 
@@ -121,6 +123,9 @@ def meet_edges(
         What the model says, or why it says nothing.
     params : EdgeParams
         Whether the residual at the edges is carried into the gap.
+    fade_s : float
+        Time in which a residual falls to 1/e on its way to the other edge; by default it falls
+        linearly.
 
     Returns
     -------
@@ -135,19 +140,30 @@ def meet_edges(
             continue
         values = model.values[gap.start - with_edges(observed, gap)[0] :][: gap.length]
         if params.meet_edges:
-            values = values + _residual(recording, observed, gap, model.values)
+            values = values + _residual(recording, observed, gap, model.values, fade_s)
         patches.append(Patch(gap, values, *np.full((2, gap.length), np.nan)))
         notes[gap] = model.notes
     return FillResult(tuple(patches), tuple(unfilled), notes)
 
 
-def _residual(recording: Recording, observed: BoolArray, gap: Gap, model: FloatArray) -> FloatArray:
+def _residual(
+    recording: Recording, observed: BoolArray, gap: Gap, model: FloatArray, fade_s: float
+) -> FloatArray:
     before, after = sides(observed, gap)
     points, at = recording.points[:, gap.marker], np.arange(1, gap.length + 1)
     first = points[gap.start - 1] - model[0] if before else np.zeros(3)
     last = points[gap.stop] - model[-1] if after else np.zeros(3)
     if before and after:
-        share = at / (gap.length + 1)
-        return np.outer(1 - share, first) + np.outer(share, last)
-    decay = np.exp(-at / (DECAY_S * recording.rate))
-    return np.outer(decay, first) + np.outer(decay[::-1], last)
+        fading = _bridge(at, gap.length + 1, fade_s * recording.rate)
+    else:
+        fading = np.exp(-at / (DECAY_S * recording.rate))
+    return np.outer(fading, first) + np.outer(fading[::-1], last)
+
+
+def _bridge(at: IntArray, length: int, fade: float) -> FloatArray:
+    """Fall from 1 at frame 0 to 0 at a frame, as an Ornstein-Uhlenbeck bridge does on average."""
+    if math.isinf(fade):
+        return 1 - at / length
+    left = np.exp(-at / fade) * -np.expm1(-2 * (length - at) / fade)
+    bridge: FloatArray = left / -np.expm1(-2 * length / fade)
+    return bridge

@@ -6,6 +6,7 @@ from typing import Any, Literal, get_args
 
 from mocapmend_algorithms.fill import (
     auto,
+    bone_dictionary,
     burke_lasenby,
     cyclic,
     interpolate,
@@ -13,11 +14,12 @@ from mocapmend_algorithms.fill import (
     local_frame,
     params,
     pca,
+    smbs,
     woltring,
 )
 from mocapmend_algorithms.fill.contract import FillFunction
 
-Family = Literal["Automatic", "Interpolation", "Donors", "Low rank", "Kalman"]
+Family = Literal["Automatic", "Interpolation", "Donors", "Low rank", "Sparse", "Kalman"]
 FAMILIES: tuple[Family, ...] = get_args(Family)
 """Kinds of methods, in the order of menus; within one they are as in `METHODS`."""
 
@@ -179,6 +181,27 @@ _ALL = (
         "follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good "
         "for one marker in motion like that of the complete frames, poor where several markers "
         "of a segment are missing.",
+        fills_edges=True,
+    ),
+    Method(
+        id="bone-dictionary",
+        label="Sparse code of motion, with bones",
+        family="Sparse",
+        function=bone_dictionary.bone_dictionary,
+        params=bone_dictionary.BoneDictionaryParams,
+        help="Composes each stretch of motion from few examples, of this recording or of a "
+        "training set, and keeps bone lengths (after Wang, Lu, Han 2018). For several neighbouring "
+        "markers or joints that are missing together; poor where no example is like the motion.",
+        fills_edges=True,
+    ),
+    Method(
+        id="smbs",
+        label="Sparse motion bases",
+        family="Sparse",
+        function=smbs.smbs,
+        params=smbs.SmbsParams,
+        help="Composes short windows of motion from few examples, part by part and without bones. "
+        "It is what the sparse code with bones is compared to.",
         fills_edges=True,
     ),
     Method(

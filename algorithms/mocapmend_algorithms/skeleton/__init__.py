@@ -6,6 +6,7 @@ that keep all their distances.
 
 from mocapmend_algorithms.skeleton.distances import PairDistances, measure_distances
 from mocapmend_algorithms.skeleton.found import (
+    joining_bones,
     segments_from_distances,
     skeleton_from_distances,
 )
@@ -21,6 +22,7 @@ __all__ = [
     "Skeleton",
     "Template",
     "find_segments",
+    "joining_bones",
     "match_template",
     "measure_distances",
     "parse_template",

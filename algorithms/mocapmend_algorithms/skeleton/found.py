@@ -61,6 +61,30 @@ def skeleton_from_distances(recording: Recording, progress: Progress) -> Skeleto
     return Skeleton("", ordered, "distances" if ordered else "none", segments)
 
 
+def joining_bones(distances: PairDistances) -> tuple[list[Bone], list[Bone]]:
+    """Join all markers to one tree, and name the rigid pairs beside it.
+
+    Parameters
+    ----------
+    distances : PairDistances
+        Of all pairs.
+
+    Returns
+    -------
+    tree : list of Bone
+        A minimum spanning tree: short and rigid pairs first, and loose ones where nothing else
+        joins two groups. One tree for each group of markers that is never seen with the others.
+    rigid : list of Bone
+        Further pairs within the segments, up to three bones per marker.
+    """
+    segments = find_segments(distances)
+    home = {marker: number for number, part in enumerate(segments) for marker in part.markers}
+    pairs = _by_cost(distances)
+    tree = _spanning_tree(pairs, {marker: marker for marker in home})
+    within = [(a, b) for a, b in pairs if home[a] == home[b]]
+    return tree, _closing(tree, within, distances)
+
+
 def segments_from_distances(recording: Recording, progress: Progress) -> tuple[Segment, ...]:
     """Find the segments alone; none where there are more than 1000 markers."""
     if recording.markers > MOST_MARKERS:

@@ -1,0 +1,168 @@
+"""Missing markers from sparse codes of windows of motion, with bones that keep their lengths.
+
+W18 = Wang, Lu, Han 2018, "Distorted human motion capture data recovery based on skeleton
+constraint", Computer Systems & Applications 27(5):17-25. Windows of several frames, as differences
+of neighbouring markers, are coded sparsely over a dictionary of motion; the code of what is seen
+tells what is lost; overlapping windows are averaged; bones keep their lengths.
+
+What is different here, each by measurement (`bench paper`):
+
+- differences and not their signed squares (eq. 5);
+- the whole body and not five parts (tables 1 and 2), with differences bridged across missing
+  markers (see `sparse.rows`);
+- windows whose frames are spread over a third of a second, with the body's heading taken out;
+- the dictionary is windows of the recording itself, or of a training set, and its lost rows are
+  fitted to further windows (see `sparse.code_model`);
+- what the dictionary leaves over at the edges of the gap is carried into it;
+- in the end the bones of a skeleton get their exact lengths (see `skeleton.projection`); between
+  markers on skin, which slide, points are pulled towards them as far as their lengths are sure.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from mocapmend_algorithms.arrays import BoolArray
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.edges import EdgeParams, meet_edges
+from mocapmend_algorithms.fill.keep_bones import joined_by_bones, projected, pulled
+from mocapmend_algorithms.fill.motion_codes import Way, read_motions, tell_gaps
+from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.fill.punch_bands import fill_with_bands
+from mocapmend_algorithms.gaps import Gap, seen_outside
+from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.sparse.body import Body, find_body
+from mocapmend_algorithms.sparse.code_model import CodeSettings
+from mocapmend_algorithms.sparse.examples import Motion
+
+ATOMS_ALONE = 300
+ATOMS_TRAINED = 600
+FADE_S = 0.3
+"""Time in which what is left over at the edges of a gap falls to 1/e: 0.25 to 0.5 s do as well."""
+
+
+@dataclass(frozen=True)
+class BoneDictionaryParams(EdgeParams):
+    """Parameters of `bone-dictionary`."""
+
+    training: str = option(
+        "",
+        label="Learn from",
+        text="A training set beside this recording. Automatic: the recording alone.",
+    )
+    window_ms: float = option(
+        330.0,
+        label="Window",
+        text="The stretch of motion that is coded as one: six frames spread over it.",
+        minimum=0.0,
+        maximum=5000.0,
+        unit="ms",
+    )
+    atoms: int | None = option(
+        None,
+        label="Atoms",
+        text="Examples of motion in the dictionary. Automatic: up to 300 of the recording, or 600 "
+        "with a training set.",
+        minimum=10,
+        maximum=5000,
+    )
+    penalty: float = option(
+        0.1,
+        label="Penalty",
+        text="The larger, the fewer examples a window is made of.",
+        minimum=1e-6,
+        maximum=10.0,
+    )
+    keep_bones: bool = option(
+        default=True,
+        label="Keep bone lengths",
+        text="The bones of a skeleton get their exact lengths; markers on skin are pulled towards "
+        "theirs as far as these are sure.",
+    )
+
+
+def bone_dictionary(
+    recording: Recording, gaps: Sequence[Gap], params: BoneDictionaryParams, progress: Progress, /
+) -> FillResult:
+    """Fill gaps by sparse codes of windows of motion (W18).
+
+    Parameters
+    ----------
+    recording : Recording
+        Not changed.
+    gaps : sequence of Gap
+        The gaps to fill.
+    params : BoneDictionaryParams
+        See there.
+    progress : Progress
+        Called often.
+
+    Returns
+    -------
+    FillResult
+        With the number of markers (`helpers`) and `examples` in the notes. Gaps stay open where
+        fewer than 3 markers are seen, or fewer than 30 windows show them all.
+
+    Raises
+    ------
+    TrainingSetError
+        If the training set cannot be read, or is of other markers.
+    """
+    body = find_body(recording, seen_outside(recording.present, gaps))
+    others = read_motions(params.training, recording, body)
+    fill = partial(fill_bare, params=params, body=body, others=others)
+    return fill_with_bands(recording, gaps, fill, progress)
+
+
+def fill_bare(
+    recording: Recording,
+    observed: BoolArray,
+    gaps: Sequence[Gap],
+    progress: Progress,
+    /,
+    *,
+    params: BoneDictionaryParams,
+    body: Body,
+    others: Sequence[Motion],
+) -> FillResult:
+    """Fill gaps without a word on the errors; see `punch_errors.BareFill`.
+
+    Parameters
+    ----------
+    recording, observed, gaps, progress
+        See `BareFill`.
+    params : BoneDictionaryParams
+        See there; the training set is not read.
+    body : Body
+        The bones.
+    others : sequence of Motion
+        The training set.
+
+    Returns
+    -------
+    FillResult
+    """
+    exact = params.keep_bones and body.exact
+    asked = joined_by_bones(observed, gaps, body) if exact else list(gaps)
+    atoms = params.atoms or (ATOMS_TRAINED if others else ATOMS_ALONE)
+    codes = CodeSettings(atoms, 2 * atoms, params.penalty)
+    way = Way(params.window_ms, rows="bones", heading=True, parts=False, codes=codes)
+    said = tell_gaps(recording, observed, asked, way, body, others, params, progress)
+    filled = meet_edges(recording, observed, asked, said, params, FADE_S)
+    if params.keep_bones:
+        filled = (projected if exact else pulled)(recording, observed, filled, body)
+    return _only(filled, gaps)
+
+
+def _only(filled: FillResult, gaps: Sequence[Gap]) -> FillResult:
+    """Leave out the gaps that were filled for the sake of their neighbours."""
+    order = {gap: at for at, gap in enumerate(gaps)}
+    patches = [patch for patch in filled.patches if patch.gap in order]
+    unfilled = [one for one in filled.unfilled if one.gap in order]
+    return replace(
+        filled,
+        patches=tuple(sorted(patches, key=lambda patch: order[patch.gap])),
+        unfilled=tuple(sorted(unfilled, key=lambda one: order[one.gap])),
+        notes={gap: note for gap, note in filled.notes.items() if gap in order},
+    )

@@ -1,0 +1,131 @@
+"""Bone lengths of what was filled: exact in a skeleton, as sure as they are between markers."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.bones import Bones, pull
+from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.gaps import Gap, find_gaps
+from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
+from mocapmend_algorithms.sparse.body import LEAST_SPREAD_MM, Body
+
+PULL_MM = 10.0
+"""How unsure a told place is, to weigh it against bone lengths that are measured on skin."""
+
+
+def joined_by_bones(observed: BoolArray, gaps: Sequence[Gap], body: Body) -> list[Gap]:
+    """Add to gaps those that share frames and a bone with them, and so on.
+
+    Parameters
+    ----------
+    observed : ndarray of bool, shape (frames, markers)
+        The samples that may be used.
+    gaps : sequence of Gap
+        The gaps asked for.
+    body : Body
+        The bones.
+
+    Returns
+    -------
+    list of Gap
+        Ordered.
+    """
+    everyone: dict[int, list[Gap]] = {}
+    for gap in find_gaps(observed):
+        everyone.setdefault(gap.marker, []).append(gap)
+    chosen, todo = set(gaps), list(gaps)
+    while todo:
+        gap = todo.pop()
+        at = body.bones[(body.bones == gap.marker).any(axis=1)]
+        for marker in np.setdiff1d(at, [gap.marker]).tolist():
+            for other in everyone.get(marker, []):
+                if other not in chosen and other.start < gap.stop and gap.start < other.stop:
+                    chosen.add(other)
+                    todo.append(other)
+    return sorted(chosen)
+
+
+def projected(
+    recording: Recording, observed: BoolArray, filled: FillResult, body: Body
+) -> FillResult:
+    """Give the bones of a skeleton their lengths, all filled points of a frame together.
+
+    Parameters
+    ----------
+    recording : Recording
+        Not changed.
+    observed : ndarray of bool, shape (frames, markers)
+        The samples that may be used; they do not move.
+    filled : FillResult
+        Whose patches are to be moved.
+    body : Body
+        The bones.
+
+    Returns
+    -------
+    FillResult
+        Bones with an end that is missing all the same do not count.
+    """
+    points = np.where(observed[..., None], recording.points, np.nan)
+    moving = np.zeros_like(observed)
+    for patch in filled.patches:
+        gap = patch.gap
+        points[gap.start : gap.stop, gap.marker] = patch.values
+        moving[gap.start : gap.stop, gap.marker] = True
+    for frames, movable in _alike(moving):
+        touching = np.isin(body.bones, movable).any(axis=1)
+        bones = BoneConstraints(body.bones[touching], body.lengths[touching] / recording.mm)
+        points[np.ix_(frames, movable)] = project_bones(points[frames], movable, bones)
+    patches = [
+        replace(patch, values=points[patch.gap.start : patch.gap.stop, patch.gap.marker].copy())
+        for patch in filled.patches
+    ]
+    return replace(filled, patches=tuple(patches))
+
+
+def _alike(moving: BoolArray) -> Iterator[tuple[IntArray, IntArray]]:
+    """Group the frames in which the same markers move."""
+    frames = np.flatnonzero(moving.any(axis=1))
+    kinds, which = np.unique(moving[frames], axis=0, return_inverse=True)
+    for at, kind in enumerate(kinds):
+        yield frames[which.ravel() == at], np.flatnonzero(kind)
+
+
+def pulled(recording: Recording, observed: BoolArray, filled: FillResult, body: Body) -> FillResult:
+    """Pull each filled point to the lengths of its bones to markers that are seen.
+
+    Parameters
+    ----------
+    recording, observed, filled, body
+        See `projected`.
+
+    Returns
+    -------
+    FillResult
+    """
+    return replace(
+        filled,
+        patches=tuple(_pulled_patch(recording, observed, p, body) for p in filled.patches),
+    )
+
+
+def _pulled_patch(recording: Recording, observed: BoolArray, patch: Patch, body: Body) -> Patch:
+    gap = patch.gap
+    mine = (body.bones == gap.marker).any(axis=1)
+    if not mine.any():
+        return patch
+    ends = body.bones[mine].sum(axis=1) - gap.marker
+    frames = slice(gap.start, gap.stop)
+    there = observed[frames, ends][..., None]
+    bones = Bones(
+        np.where(there, recording.points[frames, ends], np.nan) * recording.mm,
+        body.lengths[mine],
+        np.maximum(body.spreads[mine], LEAST_SPREAD_MM),
+    )
+    doubt: FloatArray = np.full(gap.length, PULL_MM)
+    values, _ = pull(patch.values * recording.mm, doubt, bones)
+    return replace(patch, values=values / recording.mm)
