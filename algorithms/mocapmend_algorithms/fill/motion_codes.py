@@ -13,7 +13,8 @@ from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, obstacle, with
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.sparse.body import Body, retarget
+from mocapmend_algorithms.sparse.body import Body
+from mocapmend_algorithms.sparse.bone_space import with_lengths
 from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion
 from mocapmend_algorithms.sparse.recovery import LEAST_EXAMPLES, Recovery
@@ -85,7 +86,7 @@ def read_motions(path: str, recording: Recording, body: Body) -> list[Motion]:
         points = np.full((len(motion), recording.markers, 3), np.nan)
         points[:, places] = motion
         if body.exact:
-            points = retarget(points, body)
+            points = with_lengths(points, body, body.edge_lengths)
         motions.append(Motion(points, np.isfinite(points[..., 0])))
     return motions
 

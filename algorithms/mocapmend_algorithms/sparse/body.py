@@ -83,6 +83,15 @@ class Body:
         return np.stack([children, self.parents[children]], axis=1)
 
     @property
+    def edge_lengths(self) -> FloatArray:
+        """The lengths of the tree's bones in mm, shape (edges,); NaN for those that vary."""
+        at = {
+            frozenset(bone): length
+            for bone, length in zip(self.bones.tolist(), self.lengths, strict=True)
+        }
+        return np.array([at.get(frozenset(edge), np.nan) for edge in self.edges.tolist()])
+
+    @property
     def depths(self) -> IntArray:
         """How many bones lie between each marker and its root, shape (markers,)."""
         depths = np.zeros(self.parents.size, dtype=np.int64)
@@ -121,34 +130,6 @@ def find_body(recording: Recording, seen: BoolArray) -> Body:
     if all(names.count(name) == 1 for name in wanted):
         return _joints(recording, names)
     return _found(recording)
-
-
-def retarget(points: FloatArray, body: Body) -> FloatArray:
-    """Give another subject's motion the bone lengths of a body, parents first (W18, eq. 1).
-
-    Parameters
-    ----------
-    points : ndarray, shape (frames, markers, 3)
-        In mm; complete for all markers of the tree.
-    body : Body
-        Whose lengths.
-
-    Returns
-    -------
-    ndarray, shape (frames, markers, 3)
-        With the same directions of all bones of the tree, and the roots where they were.
-    """
-    length = {tuple(sorted(b)): at for b, at in zip(body.bones.tolist(), body.lengths, strict=True)}
-    edges = body.edges
-    result = points.copy()
-    for child, parent in edges[np.argsort(body.depths[edges[:, 0]], kind="stable")].tolist():
-        away = points[:, child] - points[:, parent]
-        size = np.linalg.norm(away, axis=1, keepdims=True)
-        size[size == 0] = 1.0
-        result[:, child] = (
-            result[:, parent] + away / size * length[min(child, parent), max(child, parent)]
-        )
-    return result
 
 
 def _joints(recording: Recording, names: Sequence[str]) -> Body:

@@ -49,11 +49,9 @@ class Rows:
         both = {*helpers.tolist(), *targets.tolist()}
         seen = set(helpers.tolist())
         known = _joined(body.parents, helpers, seen)
-        lost = [
-            (a, b)
-            for a, b in _joined(body.parents, np.array(sorted(both)), both, int(helpers[0]))
-            if a not in seen or b not in seen
-        ]
+        pairs = _joined(body.parents, np.array(sorted(both)), both, join_roots=False)
+        lost = [(a, b) for a, b in pairs if a not in seen or b not in seen]
+        lost += [(marker, int(helpers[0])) for marker in _adrift(lost, targets, seen)]
         return cls(helpers, targets, _pairs(known), _pairs(lost))
 
     @classmethod
@@ -115,20 +113,36 @@ def differences(points: FloatArray, pairs: IntArray) -> FloatArray:
 
 
 def _joined(
-    parents: IntArray, markers: IntArray, among: set[int], anchor: int | None = None
+    parents: IntArray, markers: IntArray, among: set[int], *, join_roots: bool = True
 ) -> list[tuple[int, int]]:
-    """Take each marker relative to its nearest ancestor among some, or to an anchor."""
-    pairs = []
+    """Take each marker relative to its nearest ancestor among some; those without, to the first."""
+    pairs, roots = [], []
     for marker in markers.tolist():
         above = int(parents[marker])
         while above >= 0 and above not in among:
             above = int(parents[above])
-        if above < 0:
-            anchor = marker if anchor is None else anchor
-            above = anchor
-        if above != marker:
+        if above >= 0:
             pairs.append((marker, above))
-    return pairs
+        else:
+            roots.append(marker)
+    return pairs + [(root, roots[0]) for root in roots[1:] if join_roots]
+
+
+def _adrift(lost: list[tuple[int, int]], targets: IntArray, seen: set[int]) -> list[int]:
+    """Return one target of each group that no difference joins to a helper."""
+    adrift, left = [], set(targets.tolist())
+    while left:
+        first = min(left)
+        group, todo = {first}, [first]
+        while todo:
+            marker = todo.pop()
+            beside = {a + b - marker for a, b in lost if marker in (a, b)}
+            todo += sorted(beside - group - seen)
+            group |= beside
+        if not group & seen:
+            adrift.append(first)
+        left -= group
+    return adrift
 
 
 def _pairs(pairs: list[tuple[int, int]]) -> IntArray:
