@@ -59,6 +59,8 @@ MODEL_VARIANTS = [
     ("pca-r2", {"weight_scale_mm": "500"}),
     ("burke-lasenby", {}),
     ("burke-lasenby", {"noise_mm": "1"}),
+    ("tsmc", {}),
+    ("tsmc", {"weight_scale_mm": "5000", "missing_weight": "1", "meet_edges": "false"}),
     ("bone-dictionary", {"atoms": "40"}),
     ("bone-dictionary", {"atoms": "40", "keep_bones": "false"}),
     ("smbs", {"atoms": "40"}),

@@ -1,4 +1,4 @@
-"""What principal components and the low-dimensional smoother have in common."""
+"""What principal components, the low-dimensional smoother and completion have in common."""
 
 import json
 
@@ -18,7 +18,7 @@ EXACT = [
     ("pca-r2", {**FAINT, "meet_edges": "false"}),
     ("burke-lasenby", {"components": "99.9999", "noise_mm": "0.001", "meet_edges": "false"}),
 ]
-EVERY = pytest.mark.parametrize("method", ["pca-r1", "pca-r2", "burke-lasenby"])
+EVERY = pytest.mark.parametrize("method", ["pca-r1", "pca-r2", "burke-lasenby", "tsmc"])
 
 
 def errors(result, points):

@@ -15,12 +15,12 @@ from promises import (
 from synthetic import MODEL_VARIANTS, bending_body, broken_recordings, fill_with, punch, record
 
 from mocapmend_algorithms import Gap, find_gaps
-from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.fill.registry import METHODS, parse_params
 
 EVERY = pytest.mark.parametrize("variant", MODEL_VARIANTS, ids=str)
 MEETING = [v for v in MODEL_VARIANTS if v[1].get("meet_edges") != "false"]
-MILLIMETRES = {"weight_scale_mm": "200", "noise_mm": "0.03"}
-"""Parameters that are lengths, and their defaults."""
+MILLIMETRES = ("weight_scale_mm", "noise_mm")
+"""Parameters that are lengths."""
 GAPS = [Gap(0, 40, 55), Gap(1, 90, 93), Gap(2, 90, 100), Gap(3, 0, 12), Gap(4, 190, 200)]
 
 
@@ -114,10 +114,9 @@ def test_moves_with_the_recording(variant):
     points = punch(bending_body(200, 9), GAPS)
     here = fill_with(variant, record(points), GAPS)
     moved = replace(record(2 * points[:, :, [2, 0, 1]] + [300.0, -20.0, 7.0]), up="+x")
-    known = MILLIMETRES | variant[1]
-    fields = METHODS[variant[0]].params.__dataclass_fields__
+    here_params = vars(parse_params(METHODS[variant[0]], variant[1]))
     doubled = variant[1] | {
-        name: str(2 * float(known[name])) for name in MILLIMETRES if name in fields
+        name: str(2 * here_params[name]) for name in MILLIMETRES if name in here_params
     }
     there = fill_with((variant[0], doubled), moved, GAPS)
     for a, b in zip(here.patches, there.patches, strict=True):

@@ -27,7 +27,7 @@ class Nothing:
 def test_the_methods_and_their_order():
     interpolations = ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
     donors = ["rigid", "pattern", "local-frame"]
-    low_rank = ["pca-r1", "pca-r2", "burke-lasenby"]
+    low_rank = ["pca-r1", "pca-r2", "burke-lasenby", "tsmc"]
     assert list(METHODS) == [*interpolations, *donors, *low_rank, "kalman", "auto"]
     for key, entry in METHODS.items():
         assert entry.id == key

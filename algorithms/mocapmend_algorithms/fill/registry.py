@@ -15,6 +15,7 @@ from mocapmend_algorithms.fill import (
     params,
     pca,
     smbs,
+    tsmc,
     woltring,
 )
 from mocapmend_algorithms.fill.contract import FillFunction
@@ -181,6 +182,18 @@ _ALL = (
         "follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good "
         "for one marker in motion like that of the complete frames, poor where several markers "
         "of a segment are missing.",
+        fills_edges=True,
+    ),
+    Method(
+        id="tsmc",
+        label="Matrix completion of trajectory segments",
+        family="Low rank",
+        function=tsmc.tsmc,
+        params=tsmc.TsmcParams,
+        help="Completes the trajectories around the gap so that they move in as few directions as "
+        "possible, near markers counting more (after Tan, Hou and Chau 2013). About as good as the "
+        "principal components, and often better where several neighbours are missing too; poor "
+        "where the body turns or moves in the gap as it does nowhere around it.",
         fills_edges=True,
     ),
     Method(

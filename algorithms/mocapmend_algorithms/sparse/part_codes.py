@@ -32,6 +32,7 @@ LOST_SHARE = 0.4
 COMPONENTS = 20
 """Of the coarse completion."""
 COARSE_RIDGE = 1e-3
+MOST_FOR_COMPONENTS = 2000
 RECOVERY_STEPS = 200
 
 
@@ -227,6 +228,34 @@ def train_part(
     PartDictionary
         What it gives.
     """
+    rows, away, scale = _training_rows(motions, body, at)
+    seen = _masks(rows, body, away.shape[1], np.random.default_rng(settings.seed))
+    problem = rows.problem(away, seen, np.sign(away), scale, np.float32)
+    state = earlier or begin(_full(problem, away, scale), settings.atoms)
+    state = train(problem, state, rounds=settings.rounds, progress=progress)
+    return state, _part_dictionary(rows, state.dictionary, away, scale)
+
+
+def assemble_part(
+    motions: Sequence[FloatArray], body: Body, at: int, atoms: FloatArray
+) -> PartDictionary:
+    """Put a part's trained atoms together with what else it needs of the training motions.
+
+    Parameters
+    ----------
+    motions, body, at
+        As they were in `train_part`.
+    atoms : ndarray, shape (rows, atoms)
+        What that gave.
+    """
+    rows, away, scale = _training_rows(motions, body, at)
+    return _part_dictionary(rows, atoms, away, scale)
+
+
+def _training_rows(
+    motions: Sequence[FloatArray], body: Body, at: int
+) -> tuple[PartRows, FloatArray, float]:
+    """Return a part's rows, F1 of all windows with standard lengths, and the scale of F2."""
     standard = standard_lengths(motions, body)
     rows = PartRows.of(body, at, standard)
     columns = [
@@ -235,20 +264,14 @@ def train_part(
         if len(motion) >= SPAN.reach
     ]
     away = np.concatenate(columns, axis=1)
-    scale = float(np.mean(away**4)) ** 0.5
-    seen = _masks(rows, body, away.shape[1], np.random.default_rng(settings.seed))
-    problem = rows.problem(away, seen, np.sign(away), scale, np.float32)
-    state = earlier or begin(_full(problem, away, scale), settings.atoms)
-    state = train(problem, state, rounds=settings.rounds, progress=progress)
-    return state, part_dictionary(rows, state.dictionary, away, scale)
+    return rows, away, float(np.mean(away**4)) ** 0.5
 
 
-def part_dictionary(
+def _part_dictionary(
     rows: PartRows, atoms: FloatArray, away: FloatArray, scale: float
 ) -> PartDictionary:
-    """Put together what a part knows, from its atoms and F1 of the training windows."""
     mean = away.mean(axis=1)
-    thinned = away[:, :: max(1, away.shape[1] // 2000)] - mean[:, None]
+    thinned = away[:, :: max(1, away.shape[1] // MOST_FOR_COMPONENTS)] - mean[:, None]
     left, size, _ = np.linalg.svd(thinned, full_matrices=False)
     kept = left[:, :COMPONENTS] * (size[:COMPONENTS] / np.sqrt(thinned.shape[1]))
     return PartDictionary(rows, atoms.astype(np.float64), scale, mean, kept)

@@ -1,0 +1,262 @@
+"""The methods that `bench paper` compares, each as a function from a case to places."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from mocapmend.bench.paper.trials import Case
+from mocapmend_algorithms import no_progress
+from mocapmend_algorithms.arrays import FloatArray
+from mocapmend_algorithms.fill import bone_dictionary, registry, smbs
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.edges import Modelled, meet_edges
+from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
+from mocapmend_algorithms.sparse import part_codes
+from mocapmend_algorithms.sparse.bone_space import with_lengths
+from mocapmend_algorithms.sparse.examples import Motion, View, choose_places, reference_pose
+from mocapmend_algorithms.sparse.part_codes import PartDictionary
+from mocapmend_algorithms.sparse.rows import Rows
+from mocapmend_algorithms.sparse.windows import Span
+
+Find = Callable[[Case], FloatArray]
+"""Returns places in cm, shape (frames of the gap, lost, 3)."""
+MOST_WINDOWS = 6000
+POSES = 200
+PRINTED_SPAN = Span.over(6, 0)
+
+
+@dataclass(frozen=True)
+class Rival:
+    """A method of the table.
+
+    Attributes
+    ----------
+    name : str
+        In the table.
+    settings : mapping of str to Find
+        What is tried on the validation trials: three of each, or the one that there is.
+    chosen : str
+        The setting that erred least there.
+    """
+
+    name: str
+    settings: Mapping[str, Find]
+    chosen: str
+
+    @property
+    def find(self) -> Find:
+        """The chosen setting."""
+        return self.settings[self.chosen]
+
+
+def project(case: Case, found: FloatArray) -> FloatArray:
+    """Move what was found so that bones keep the lengths that are measured on what is left."""
+    points = case.recording.points[case.start : case.stop].copy()
+    points[:, case.lost] = found
+    body = case.body
+    touching = np.isin(body.bones, case.lost).any(axis=1)
+    bones = BoneConstraints(body.bones[touching], body.lengths[touching] / case.recording.mm)
+    return project_bones(points, case.lost, bones)
+
+
+def teachers(case: Case) -> list[Motion]:
+    """Return the training motions with the case's bone lengths, in mm."""
+    lengths = case.body.edge_lengths
+    motions = []
+    for recording in case.trial.teachers:
+        points = with_lengths(recording.points * recording.mm, case.body, lengths)
+        motions.append(Motion(points, np.ones(points.shape[:2], dtype=np.bool_)))
+    return motions
+
+
+def by_method(method_id: str, **params: str) -> Find:
+    """Fill with a method of the program that learns from the recording alone."""
+    method = registry.method(method_id)
+    values = registry.parse_params(method, params)
+    return lambda case: _values(
+        case, method.function(case.recording, case.gaps, values, no_progress)
+    )
+
+
+def by_bones(params: bone_dictionary.BoneDictionaryParams) -> Find:
+    """Fill with `bone-dictionary` and the training trials, without self-tests."""
+    return lambda case: _values(
+        case,
+        bone_dictionary.fill_bare(
+            case.recording,
+            case.recording.present,
+            case.gaps,
+            no_progress,
+            params=params,
+            body=case.body,
+            others=teachers(case),
+        ),
+    )
+
+
+def by_smbs(params: smbs.SmbsParams) -> Find:
+    """Fill with `smbs` and the training trials, without self-tests."""
+    return lambda case: _values(
+        case,
+        smbs.fill_bare(
+            case.recording,
+            case.recording.present,
+            case.gaps,
+            no_progress,
+            params=params,
+            body=case.body,
+            others=teachers(case),
+        ),
+    )
+
+
+def by_parts(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> Find:
+    """Fill with the trained dictionaries of the five parts, as printed in W18."""
+
+    def find(case: Case) -> FloatArray:
+        recording, mm = case.recording, case.recording.mm
+        found = part_codes.recover(
+            recording.points * mm, recording.present, case.body, dictionaries(case), no_progress
+        )
+        return found[case.start : case.stop][:, case.lost] / mm
+
+    return find
+
+
+def by_ridge(weight: float, span: Span, *, as_printed: bool) -> Find:
+    """Regress the lost differences on the known ones, window by window.
+
+    As printed, the known rows are the bones whose ends are seen, and the edges of the gap are not
+    met; otherwise all is as in `bone-dictionary`, the regression apart.
+    """
+
+    def find(case: Case) -> FloatArray:
+        recording = case.recording
+        own = Motion(recording.points * recording.mm, recording.present)
+        everyone = np.arange(recording.markers)
+        rows = Rows.along_bones(case.body, np.setdiff1d(everyone, case.lost), case.lost)
+        if as_printed:
+            edges = case.body.edges
+            rows = replace(rows, known=edges[~np.isin(edges, case.lost).any(axis=1)])
+        chosen = choose_places(own, teachers(case), everyone, span, MOST_WINDOWS)
+        view = View(
+            rows, span, recording.up, reference_pose(chosen, rows.helpers, recording.up, POSES)
+        )
+        known, lost = [], []
+        for motion, places in chosen:
+            some, angles = view.known(motion, places)
+            known.append(some)
+            lost.append(view.lost(motion, places, angles))
+        regress = _ridge(np.concatenate(known), np.concatenate(lost), weight)
+        start, stop = case.start - 1, case.stop + 1
+        places = span.touching(start, stop, recording.frames)
+        asked, angles = view.known(own, places)
+        told = span.average(view.told(regress(asked), angles), places, start, stop)
+        found = rows.places(told, own.points[start:stop]) / recording.mm
+        return found[1:-1] if as_printed else _met(case, found)
+
+    return find
+
+
+def _ridge(
+    known: FloatArray, lost: FloatArray, weight: float
+) -> Callable[[FloatArray], FloatArray]:
+    mean, level = known.mean(axis=0), lost.mean(axis=0)
+    gram = (known - mean).T @ (known - mean)
+    gram[np.diag_indices_from(gram)] += weight * np.trace(gram) / len(gram)
+    slopes = np.linalg.solve(gram, (known - mean).T @ (lost - level))
+    return lambda asked: (asked - mean) @ slopes + level
+
+
+def _met(case: Case, found: FloatArray) -> FloatArray:
+    """Carry what is left over at the edges into the gap, as `bone-dictionary` does."""
+    said = {gap: Modelled(found[:, at], {}) for at, gap in enumerate(case.gaps)}
+    params = bone_dictionary.BoneDictionaryParams()
+    return _values(
+        case,
+        meet_edges(
+            case.recording,
+            case.recording.present,
+            case.gaps,
+            said,
+            params,
+            bone_dictionary.FADE_S,
+        ),
+    )
+
+
+def _values(case: Case, result: FillResult) -> FloatArray:
+    found = np.full((case.stop - case.start, case.lost.size, 3), np.nan)
+    where = {marker: at for at, marker in enumerate(case.lost.tolist())}
+    for patch in result.patches:
+        found[:, where[patch.gap.marker]] = patch.values
+    return found
+
+
+def rivals(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> list[Rival]:
+    """Return the methods of the table.
+
+    Parameters
+    ----------
+    dictionaries : callable
+        Returns the trained dictionaries for a case; called when they are needed.
+    """
+    bones, motion_bases = bone_dictionary.BoneDictionaryParams, smbs.SmbsParams
+    printed, spread = Span.over(6, 0), Span.over(6, 40)
+    weights = (1e-3, 1e-2, 1e-1)
+    return [
+        Rival("spline", {"cubic": by_method("cubic")}, "cubic"),
+        Rival(
+            "Kalman",
+            {
+                f"noise {noise} mm": by_method("kalman", noise_mm=noise)
+                for noise in ("auto", "1", "5")
+            },
+            "noise auto mm",
+        ),
+        Rival(
+            "ridge, W18's windows",
+            {f"weight {w:g}": by_ridge(w, printed, as_printed=True) for w in weights},
+            "weight 0.01",
+        ),
+        Rival(
+            "ridge, best's windows",
+            {f"weight {w:g}": by_ridge(w, spread, as_printed=False) for w in weights},
+            "weight 0.01",
+        ),
+        Rival(
+            "local-frame",
+            {f"penalty {p}": by_method("local-frame", penalty=p) for p in ("0.001", "0.01", "0.1")},
+            "penalty 0.01",
+        ),
+        Rival("auto", {"default": by_method("auto")}, "default"),
+        Rival(
+            "TSMC",
+            {
+                f"threshold {t} %": by_method("tsmc", threshold=t)
+                for t in ("0.001", "0.003", "0.01")
+            },
+            "threshold 0.003 %",
+        ),
+        Rival(
+            "SMBS",
+            {
+                "whole body, penalty 0.01": by_smbs(motion_bases(penalty=0.01, parts=False)),
+                "parts, penalty 0.01": by_smbs(motion_bases(penalty=0.01)),
+                "whole body, penalty 0.1": by_smbs(motion_bases(penalty=0.1, parts=False)),
+            },
+            "whole body, penalty 0.01",
+        ),
+        Rival("W18, as printed", {"lambda 1e-4, 0.4": by_parts(dictionaries)}, "lambda 1e-4, 0.4"),
+        Rival(
+            "W18, best",
+            {f"window {ms} ms": by_bones(bones(window_ms=float(ms))) for ms in (150, 330, 600)},
+            "window 330 ms",
+        ),
+    ]
+
+
+def before_projection() -> Find:
+    """Return the best setting of W18 without its bone projection."""
+    return by_bones(bone_dictionary.BoneDictionaryParams(keep_bones=False))
