@@ -145,11 +145,11 @@ CASE_COLUMNS = (
 )
 NOTES = (
     "Points are missing for 40 % of the frames in one run in the middle; errors are 3-D, over the "
-    + "missing points, against the recording without noise.",
+     "missing points, against the recording without noise.",
     "Noise of 60 dB is added to the signed squares and taken back to coordinates once: half a "
-    + "centimetre in the mean.",
+     "centimetre in the mean.",
     "The regions are ours: W18's figure 4 cannot be read off. One trial of punches, divided by "
-    + "time, stands for its boxing, whose trials are not to be had.",
+     "time, stands for its boxing, whose trials are not to be had.",
     "Each method had three settings to choose from, on the validation trials (--tune).",
 )
 

@@ -227,8 +227,8 @@ def rivals(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> list
         ),
         Rival(
             "local-frame",
-            {f"penalty {p}": by_method("local-frame", penalty=p) for p in ("0.001", "0.01", "0.1")},
-            "penalty 0.01",
+            {f"penalty {p}": by_method("local-frame", penalty=p) for p in ("1e-5", "1e-4", "1e-3")},
+            "penalty 1e-4",
         ),
         Rival("auto", {"default": by_method("auto")}, "default"),
         Rival(
