@@ -144,12 +144,10 @@ CASE_COLUMNS = (
     Column("frames_per_s", "frames/s", ".0f"),
 )
 NOTES = (
-    "Points are missing for 40 % of the frames in one run in the middle; errors are 3-D, over the "
-     "missing points, against the recording without noise.",
-    "Noise of 60 dB is added to the signed squares and taken back to coordinates once: half a "
-     "centimetre in the mean.",
-    "The regions are ours: W18's figure 4 cannot be read off. One trial of punches, divided by "
-     "time, stands for its boxing, whose trials are not to be had.",
+    "40 % of the frames miss the points, in one run in the middle; errors are 3-D, over these.",
+    "Noise of 60 dB on the signed squares, taken back to coordinates once: 0.5 cm in the mean.",
+    "The regions are ours: W18's figure 4 cannot be read off.",
+    "One trial of punches, divided by time, stands for boxing, whose trials are not to be had.",
     "Each method had three settings to choose from, on the validation trials (--tune).",
 )
 
