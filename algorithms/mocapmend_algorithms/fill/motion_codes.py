@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.company import seen_together
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, obstacle, with_edges
 from mocapmend_algorithms.gaps import Gap
@@ -155,6 +155,7 @@ class _Teller:
         self._span = Span.over(FRAMES, min(length, recording.frames // SHORT_RECORDING))
         self._shortest = max(2, round(SHORTEST_PIECE_S * recording.rate))
         self._recoveries: dict[tuple[bytes, bytes], Recovery] = {}
+        self._answers: dict[tuple[int, int, int], FloatArray] = {}
 
     def tell(self, gap: Gap, progress: Progress) -> Modelled | str:
         """Say what the codes make of a gap and the samples beside it, or why they say nothing."""
@@ -182,7 +183,7 @@ class _Teller:
                     f"only {recovery.examples} stretches show the marker and those that predict "
                     f"it: this method needs {LEAST_EXAMPLES}"
                 )
-            told = recovery.ask(a, b, ask)
+            told = self._told(recovery, a, b, ask)
             values[a - start : b - start] = told[:, targets.tolist().index(gap.marker)]
             helpers.append(int(seen.size))
             examples.append(recovery.examples)
@@ -239,6 +240,13 @@ class _Teller:
             targets = np.array([gap.marker])
             recovery = self._learned(helpers, targets, progress)
         return recovery, targets
+
+    def _told(self, recovery: Recovery, a: int, b: int, progress: Progress) -> FloatArray:
+        """Ask once for the markers that have the same gap."""
+        key = id(recovery), a, b
+        if key not in self._answers:
+            self._answers[key] = recovery.ask(a, b, progress)
+        return self._answers[key]
 
     def _missing_with(self, gap: Gap, helpers: IntArray) -> IntArray:
         """Return the marker and those missing all through its gap that bones join to it."""

@@ -23,7 +23,7 @@ RIDGE = 1e-2
 REFIT = 1e-2
 """Weights of the two regressions, relative to the mean of what they are added to."""
 TOLERANCE = 1e-3
-MOST_ITERATIONS = 100
+MOST_ITERATIONS = 60
 
 
 @dataclass(frozen=True)

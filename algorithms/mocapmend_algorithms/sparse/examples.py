@@ -76,7 +76,7 @@ class View:
     def _angles(self, motion: Motion, places: IntArray) -> FloatArray:
         if self.reference is None:
             return np.zeros(places.size)
-        poses = motion.points[places][:, self.rows.helpers]
+        poses = motion.points[places + self.span.middle][:, self.rows.helpers]
         return headings(poses, self.reference, self.up)
 
     def _rows(
@@ -130,8 +130,10 @@ def choose_places(
 
 
 def reference_pose(
-    chosen: Sequence[tuple[Motion, IntArray]], helpers: IntArray, up: UpAxis, most: int
+    chosen: Sequence[tuple[Motion, IntArray]], helpers: IntArray, span: Span, up: UpAxis, most: int
 ) -> FloatArray:
     """Return the mean pose of the helpers in some windows, shape (helpers, 3)."""
-    poses = [motion.points[evenly(places, most)][:, helpers] for motion, places in chosen]
+    poses = [
+        motion.points[evenly(places, most) + span.middle][:, helpers] for motion, places in chosen
+    ]
     return mean_pose(np.concatenate(poses), up)

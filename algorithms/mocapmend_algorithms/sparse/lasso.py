@@ -13,7 +13,6 @@ says that it is as near to its optimum as was asked.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import eigh
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.progress import Progress, no_progress
@@ -198,5 +197,7 @@ def _gap(
 
 
 def _largest_eigenvalue(gram: FloatArray) -> float:
+    from scipy.linalg import eigh
+
     last = gram.shape[0] - 1
     return float(eigh(gram, eigvals_only=True, subset_by_index=[last, last])[0])

@@ -63,7 +63,9 @@ class Recovery:
         self.examples = sum(places.size for _, places in chosen)
         if self.examples < LEAST_EXAMPLES:
             return
-        reference = None if up is None else reference_pose(chosen, rows.helpers, up, MOST_POSES)
+        reference = (
+            None if up is None else reference_pose(chosen, rows.helpers, span, up, MOST_POSES)
+        )
         self._view = View(rows, span, up or "+z", reference)
         known, lost = [], []
         for motion, places in chosen:

@@ -39,6 +39,11 @@ class Span:
         return self.offsets[-1]
 
     @property
+    def middle(self) -> int:
+        """The frame in the middle, relative to the place: that of the heading."""
+        return self.offsets[len(self.offsets) // 2]
+
+    @property
     def reach(self) -> int:
         """Frames from the first to the last, both counted."""
         return self.before + self.after + 1

@@ -141,7 +141,10 @@ def by_ridge(weight: float, span: Span, *, as_printed: bool) -> Find:
             rows = replace(rows, known=edges[~np.isin(edges, case.lost).any(axis=1)])
         chosen = choose_places(own, teachers(case), everyone, span, MOST_WINDOWS)
         view = View(
-            rows, span, recording.up, reference_pose(chosen, rows.helpers, recording.up, POSES)
+            rows,
+            span,
+            recording.up,
+            reference_pose(chosen, rows.helpers, span, recording.up, POSES),
         )
         known, lost = [], []
         for motion, places in chosen:
