@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from mocapmend import report, user_templates
+from mocapmend import report, training, user_templates
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
@@ -88,15 +88,36 @@ def fill(
     limits: Limits,
     progress: Progress,
 ) -> FillResult:
-    """Fill the gaps that a method can fill within the limits; see `fill_within`."""
-    return fill_within(recording, gaps, registry.method(method_id), params, limits, progress)
+    """Fill the gaps that a method can fill within the limits; see `fill_within`.
+
+    Raises
+    ------
+    MocapmendError
+        If a training set that the parameters name cannot be used.
+    """
+    with training.usable(params) as found:
+        return fill_within(recording, gaps, registry.method(method_id), found, limits, progress)
+
+
+def fill_anyway(
+    recording: Recording, gaps: Sequence[Gap], method_id: str, params: Any, progress: Progress
+) -> FillResult:
+    """Fill gaps whatever their length and expected error.
+
+    Raises
+    ------
+    MocapmendError
+        If a training set that the parameters name cannot be used.
+    """
+    with training.usable(params) as found:
+        return registry.method(method_id).function(recording, gaps, found, progress)
 
 
 def fill_gap(
     recording: Recording, gap: Gap, method_id: str, params: Any, progress: Progress
 ) -> FillResult:
-    """Fill one gap whatever its length and expected error, to be looked at."""
-    return registry.method(method_id).function(recording, [gap], params, progress)
+    """Fill one gap as `fill_anyway` does, to be looked at."""
+    return fill_anyway(recording, [gap], method_id, params, progress)
 
 
 @dataclass(frozen=True)
@@ -140,7 +161,11 @@ def record(
         first_frame=recording.first_frame + gap.start,
         last_frame=recording.first_frame + gap.stop - 1,
         method=method_id,
-        parameters=dict(params) if isinstance(params, Mapping) else asdict(params),
+        parameters=(
+            dict(params)
+            if isinstance(params, Mapping)
+            else asdict(params) | training.digests(params)
+        ),
         donors=donors,
         expected_error_mm=patch.expected_error * recording.mm,
         r90_mm=patch.typical_r90 * recording.mm,

@@ -50,6 +50,31 @@ def option(
     return dataclasses.field(default=default, metadata=metadata)
 
 
+def training_option(text: str) -> Any:
+    """Make a dataclass field that names a training set, by default none.
+
+    Its value is the path of a file, or the name of one that ships with the program; the method gets
+    a path. Empty means that the method learns from the recording itself.
+
+    Parameters
+    ----------
+    text : str
+        A sentence of help: what the method learns from it.
+
+    Returns
+    -------
+    dataclasses.Field
+        As of `option`, with `training` in its metadata.
+    """
+    metadata = {"label": "Training set", "help": text, "training": True}
+    return dataclasses.field(default="", metadata=metadata)
+
+
+def training_names(kind: type[Any]) -> tuple[str, ...]:
+    """Return the names of a parameter class's fields that name training sets."""
+    return tuple(f.name for f in dataclasses.fields(kind) if f.metadata.get("training"))
+
+
 def parse(kind: type[Any], pairs: Mapping[str, str]) -> Any:
     """Make parameters from text, as the command line has it.
 
