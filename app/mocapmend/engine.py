@@ -3,7 +3,7 @@
 Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -35,6 +35,7 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
 from mocapmend_resources import skeletons
 
 READ_BACK = "The file was read back: all samples are as they should be."
@@ -118,6 +119,65 @@ def fill_gap(
 ) -> FillResult:
     """Fill one gap as `fill_anyway` does, to be looked at."""
     return fill_anyway(recording, [gap], method_id, params, progress)
+
+
+def train_sparse(
+    recordings: Sequence[Recording],
+    about: str,
+    markers: Collection[str],
+    rate: float | None,
+    progress: Progress,
+) -> TrainingSet:
+    """Make a training set for the sparse methods.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        What to learn from; fragments of trajectories, named *..., are left out.
+    about : str
+        What they are, for people.
+    markers : collection of str
+        The markers to learn, without the prefix of a subject; none for all common ones.
+    rate : float, optional
+        Frames per second (Hz) of the set; by default the lowest of the recordings.
+    progress : Progress
+        Called often; may cancel.
+
+    Raises
+    ------
+    MocapmendError
+        If nothing can be learned from the recordings.
+    """
+    chosen = [_with_markers(recording, markers) for recording in recordings]
+    progress(0.2)
+    common_rate = rate or min((recording.rate for recording in recordings), default=None)
+    try:
+        made = gather(chosen, about, common_rate)
+    except TrainingSetError as error:
+        todo = "Choose other recordings, or name the markers to learn."
+        raise training.complaint(error, "", todo) from error
+    lacking = sorted(set(markers).difference(made.labels))
+    if lacking:
+        raise MocapmendError(
+            f"Not every recording has one marker {lacking[0]!r}.",
+            todo="Choose other recordings or markers.",
+        )
+    progress(1.0)
+    return made
+
+
+def _with_markers(recording: Recording, wanted: Collection[str]) -> Recording:
+    labels = [label.rpartition(":")[2].strip() for label in recording.labels]
+    kept = [
+        marker
+        for marker, label in enumerate(labels)
+        if (label in wanted if wanted else not label.startswith("*"))
+    ]
+    return replace(
+        recording,
+        points=recording.points[:, kept],
+        labels=tuple(recording.labels[marker] for marker in kept),
+    )
 
 
 @dataclass(frozen=True)

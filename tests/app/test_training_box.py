@@ -48,8 +48,8 @@ def told(form: ParamsForm, box: TrainingBox) -> list[str]:
 
 def test_it_offers_the_recording_itself_and_what_ships(form: ParamsForm, box: TrainingBox) -> None:
     rows = [box.combo.itemText(row) for row in range(box.combo.count())]
-    assert rows == ["the recording itself", "runs", "walks"]
-    assert box.combo.currentText() == "the recording itself"
+    assert rows == ["this recording", "runs", "walks"]
+    assert box.combo.currentText() == "this recording"
     assert form.params() == TaughtParams("")
     assert box.combo.accessibleName() == "Training set"
     assert box.browse.accessibleName()
@@ -76,7 +76,7 @@ def test_a_path_is_told_when_it_is_typed(box: TrainingBox, told: list[str], qtbo
     assert len(told) == 1, "nothing has changed"
     box.combo.lineEdit().clear()
     assert told[-1] == ""
-    assert box.combo.lineEdit().placeholderText() == "the recording itself"
+    assert box.combo.lineEdit().placeholderText() == "this recording"
 
 
 def test_a_file_is_chosen_in_a_dialog(

@@ -179,6 +179,7 @@ def gather(
     )
 
 
+@np.errstate(over="ignore")
 def encode_training_set(training: TrainingSet) -> bytes:
     """Return the file of a training set; coordinates and weights have single precision there.
 

@@ -34,7 +34,7 @@ class TrainingBox(QWidget):
 
     def __init__(self, name: str, label: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._itself = self.tr("the recording itself")
+        self._itself = self.tr("this recording")
         self.combo = QComboBox()
         self.combo.setEditable(True)
         self.combo.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
@@ -45,10 +45,13 @@ class TrainingBox(QWidget):
         self.combo.setMinimumContentsLength(SHORTEST)
         self.combo.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.combo.setAccessibleName(label)
-        self.browse = QPushButton(self.tr("Browse…"))
-        self.browse.setAccessibleName(self.tr("Choose the file of a training set"))
+        self.browse = QPushButton("…")
+        self.browse.setToolTip(self.tr("Browse…"))
+        self.browse.setAccessibleName(self.tr("Browse for a training set"))
         # A click must not take the keyboard from the rest of the window.
         self.browse.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        # The pane is narrow: room for the name.
+        self.browse.setFixedWidth(self.browse.sizeHint().height())
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
@@ -91,7 +94,8 @@ class TrainingBox(QWidget):
         # The list would keep the place of what was chosen before.
         self.combo.setCurrentIndex(self.combo.findText(name or self._itself))
         self.combo.setEditText(name or self._itself)
-        self._edit.setCursorPosition(0)
+        # The end of a path says more than its beginning.
+        self._edit.setCursorPosition(len(self._edit.text()))
         self.combo.setToolTip(name)
 
     def _tell(self) -> None:
