@@ -133,11 +133,11 @@ def train_sparse(
     Parameters
     ----------
     recordings : sequence of Recording
-        What to learn from; fragments of trajectories, named *..., are left out.
+        What to learn from.
     about : str
         What they are, for people.
     markers : collection of str
-        The markers to learn, without the prefix of a subject; none for all common ones.
+        The markers to learn; see `gather`.
     rate : float, optional
         Frames per second (Hz) of the set; by default the lowest of the recordings.
     progress : Progress
@@ -148,36 +148,14 @@ def train_sparse(
     MocapmendError
         If nothing can be learned from the recordings.
     """
-    chosen = [_with_markers(recording, markers) for recording in recordings]
-    progress(0.2)
     common_rate = rate or min((recording.rate for recording in recordings), default=None)
     try:
-        made = gather(chosen, about, common_rate)
+        made = gather(recordings, about, common_rate, markers)
     except TrainingSetError as error:
         todo = "Choose other recordings, or name the markers to learn."
         raise training.complaint(error, "", todo) from error
-    lacking = sorted(set(markers).difference(made.labels))
-    if lacking:
-        raise MocapmendError(
-            f"Not every recording has one marker {lacking[0]!r}.",
-            todo="Choose other recordings or markers.",
-        )
     progress(1.0)
     return made
-
-
-def _with_markers(recording: Recording, wanted: Collection[str]) -> Recording:
-    labels = [label.rpartition(":")[2].strip() for label in recording.labels]
-    kept = [
-        marker
-        for marker, label in enumerate(labels)
-        if (label in wanted if wanted else not label.startswith("*"))
-    ]
-    return replace(
-        recording,
-        points=recording.points[:, kept],
-        labels=tuple(recording.labels[marker] for marker in kept),
-    )
 
 
 @dataclass(frozen=True)

@@ -48,6 +48,14 @@ def test_recordings_are_gathered_by_label_in_mm_and_without_incomplete_frames():
     np.testing.assert_array_equal(last, other.points[:, [3, 2, 1, 0]])
 
 
+def test_markers_can_be_chosen_and_fragments_only_by_name():
+    recordings = [body(labels=("A", "*2", "B", "C", "D")), body(labels=("D", "C", "*2", "A", "E"))]
+    assert gather(recordings).labels == ("A", "C", "D")
+    assert gather(recordings, markers=("D", "*2")).labels == ("*2", "D")
+    with pytest.raises(TrainingSetError, match="not every recording has one marker 'B'"):
+        gather(recordings, markers=("A", "B"))
+
+
 def test_a_file_gives_the_set_back(tmp_path):
     atoms = {"trunk": np.arange(12.0).reshape(4, 3)}
     made = gather([body()])

@@ -7,13 +7,12 @@ a NumPy archive (npz) without pickled objects.
 
 import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
@@ -119,7 +118,10 @@ class TrainingSet:
 
 
 def gather(
-    recordings: Sequence[Recording], about: str = "", rate: float | None = None
+    recordings: Sequence[Recording],
+    about: str = "",
+    rate: float | None = None,
+    markers: Collection[str] = (),
 ) -> TrainingSet:
     """Make a training set from recordings.
 
@@ -133,17 +135,20 @@ def gather(
         Frames per second (Hz) of the set; by default that of the recordings, which must be the
         same then. Recordings of another rate are sampled anew on cubic splines; where theirs is a
         multiple of it, that takes every so many frames as they are.
+    markers : collection of str
+        Labels of those to take, without the prefix of a subject; by default all but fragments of
+        trajectories, which are named *... .
 
     Returns
     -------
     TrainingSet
-        The markers that all recordings have, in the order of the first.
+        Those of the markers that all recordings have, in the order of the first.
 
     Raises
     ------
     TrainingSetError
-        If there is no recording, no common marker, no complete frame, if up axes differ, or if
-        rates do and none is given.
+        If there is no recording, no common marker, no complete frame, if a recording lacks one of
+        the given markers, if up axes differ, or if rates do and none is given.
     """
     if not recordings:
         raise TrainingSetError("there is no recording to learn from")
@@ -151,6 +156,10 @@ def gather(
     common_rate = first.rate if rate is None else rate
     names = [[_bare(label) for label in recording.labels] for recording in recordings]
     common = [name for name in names[0] if all(own.count(name) == 1 for own in names)]
+    lacking = sorted(set(markers).difference(common))
+    if lacking:
+        raise TrainingSetError(f"not every recording has one marker {lacking[0]!r}")
+    common = [name for name in common if name in markers or not (markers or name[:1] == "*")]
     if not common:
         raise TrainingSetError("the recordings have no marker in common")
     poses: list[FloatArray] = []
@@ -295,6 +304,8 @@ def _sampled(points: FloatArray, own: float, wanted: float) -> FloatArray:
     """Sample complete frames, shape (frames, markers, 3), at another rate (Hz)."""
     if own == wanted or len(points) < 2:
         return points
+    from scipy.interpolate import CubicSpline
+
     seconds = np.arange(len(points)) / own
     count = int(seconds[-1] * wanted + SAME_FRAME) + 1
     spline = CubicSpline(seconds, points, axis=0)
