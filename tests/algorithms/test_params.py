@@ -34,7 +34,8 @@ def test_the_methods_and_their_order():
     interpolations = ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
     donors = ["rigid", "pattern", "local-frame"]
     low_rank = ["pca-r1", "pca-r2", "burke-lasenby"]
-    assert list(METHODS) == [*interpolations, *donors, *low_rank, "kalman", "auto"]
+    sparse = ["bone-dictionary", "smbs"]
+    assert list(METHODS) == [*interpolations, *donors, *low_rank, *sparse, "kalman", "auto"]
     for key, entry in METHODS.items():
         assert entry.id == key
         assert entry.label
@@ -52,7 +53,7 @@ def test_a_form_can_be_made_of_every_parameter():
         defaults = entry.params()
         hints = get_type_hints(entry.params)
         for field in dataclasses.fields(entry.params):
-            assert set(field.metadata) == {"label", "help", "min", "max", "unit"}
+            assert set(field.metadata) == {"label", "help", "min", "max", "unit", "training"}
             assert field.metadata["label"]
             assert field.metadata["help"].endswith(".")
             hint, value = hints[field.name], getattr(defaults, field.name)

@@ -51,7 +51,7 @@ def test_it_offers_the_recording_itself_and_what_ships(form: ParamsForm, box: Tr
     assert rows == ["this recording", "runs", "walks"]
     assert box.combo.currentText() == "this recording"
     assert form.params() == TaughtParams("")
-    assert box.combo.accessibleName() == "Training set"
+    assert box.combo.accessibleName() == "Learn from"
     assert box.browse.accessibleName()
     assert box.toolTip() == "What to learn from."
 

@@ -27,6 +27,7 @@ def option(
     minimum: float | None = None,
     maximum: float | None = None,
     unit: str = "",
+    training: bool = False,
 ) -> Any:
     """Make a dataclass field that describes itself.
 
@@ -40,14 +41,16 @@ def option(
         The values allowed, both included.
     unit : str
         Shown behind the value.
+    training : bool
+        Whether it names a training set; see `training_option`.
 
     Returns
     -------
     dataclasses.Field
-        With metadata `label`, `help`, `min`, `max` and `unit`.
+        With metadata `label`, `help`, `min`, `max`, `unit` and `training`.
     """
     metadata = {"label": label, "help": text, "min": minimum, "max": maximum, "unit": unit}
-    return dataclasses.field(default=default, metadata=metadata)
+    return dataclasses.field(default=default, metadata=metadata | {"training": training})
 
 
 def training_option(text: str) -> Any:
@@ -64,10 +67,9 @@ def training_option(text: str) -> Any:
     Returns
     -------
     dataclasses.Field
-        As of `option`, with `training` in its metadata.
+        As of `option`.
     """
-    metadata = {"label": "Training set", "help": text, "training": True}
-    return dataclasses.field(default="", metadata=metadata)
+    return option("", label="Learn from", text=text, training=True)
 
 
 def training_names(kind: type[Any]) -> tuple[str, ...]:

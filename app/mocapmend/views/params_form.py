@@ -85,7 +85,7 @@ class ParamsForm(QWidget):
             return self._choice(get_args(hint), entry.default)
         if hint == Words:
             return self._words(entry.default)
-        if entry.metadata.get("training"):
+        if entry.metadata["training"]:
             return self._training(entry)
         if hint is bool:
             box = QCheckBox()
