@@ -3,12 +3,12 @@
 Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from mocapmend import report, user_templates
+from mocapmend import report, training, user_templates
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
@@ -35,6 +35,7 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
 from mocapmend_resources import skeletons
 
 READ_BACK = "The file was read back: all samples are as they should be."
@@ -88,15 +89,73 @@ def fill(
     limits: Limits,
     progress: Progress,
 ) -> FillResult:
-    """Fill the gaps that a method can fill within the limits; see `fill_within`."""
-    return fill_within(recording, gaps, registry.method(method_id), params, limits, progress)
+    """Fill the gaps that a method can fill within the limits; see `fill_within`.
+
+    Raises
+    ------
+    MocapmendError
+        If a training set that the parameters name cannot be used.
+    """
+    with training.usable(params) as found:
+        return fill_within(recording, gaps, registry.method(method_id), found, limits, progress)
+
+
+def fill_anyway(
+    recording: Recording, gaps: Sequence[Gap], method_id: str, params: Any, progress: Progress
+) -> FillResult:
+    """Fill gaps whatever their length and expected error.
+
+    Raises
+    ------
+    MocapmendError
+        If a training set that the parameters name cannot be used.
+    """
+    with training.usable(params) as found:
+        return registry.method(method_id).function(recording, gaps, found, progress)
 
 
 def fill_gap(
     recording: Recording, gap: Gap, method_id: str, params: Any, progress: Progress
 ) -> FillResult:
-    """Fill one gap whatever its length and expected error, to be looked at."""
-    return registry.method(method_id).function(recording, [gap], params, progress)
+    """Fill one gap as `fill_anyway` does, to be looked at."""
+    return fill_anyway(recording, [gap], method_id, params, progress)
+
+
+def train_sparse(
+    recordings: Sequence[Recording],
+    about: str,
+    markers: Collection[str],
+    rate: float | None,
+    progress: Progress,
+) -> TrainingSet:
+    """Make a training set for the sparse methods.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        What to learn from.
+    about : str
+        What they are, for people.
+    markers : collection of str
+        The markers to learn; see `gather`.
+    rate : float, optional
+        Frames per second (Hz) of the set; by default the lowest of the recordings.
+    progress : Progress
+        Called often; may cancel.
+
+    Raises
+    ------
+    MocapmendError
+        If nothing can be learned from the recordings.
+    """
+    common_rate = rate or min((recording.rate for recording in recordings), default=None)
+    try:
+        made = gather(recordings, about, common_rate, markers)
+    except TrainingSetError as error:
+        todo = "Choose other recordings, or name the markers to learn."
+        raise training.complaint(error, "", todo) from error
+    progress(1.0)
+    return made
 
 
 @dataclass(frozen=True)
@@ -140,7 +199,11 @@ def record(
         first_frame=recording.first_frame + gap.start,
         last_frame=recording.first_frame + gap.stop - 1,
         method=method_id,
-        parameters=dict(params) if isinstance(params, Mapping) else asdict(params),
+        parameters=(
+            dict(params)
+            if isinstance(params, Mapping)
+            else asdict(params) | training.digests(params)
+        ),
         donors=donors,
         expected_error_mm=patch.expected_error * recording.mm,
         r90_mm=patch.typical_r90 * recording.mm,

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.engine import Changes, record
+from mocapmend import training
+from mocapmend.engine import Changes, fill_anyway, record
 from mocapmend.errors import MocapmendError
 from mocapmend.files import RepairRecord, SampleRun, Source
 from mocapmend.files.atomic import write_bytes
@@ -149,7 +150,8 @@ def plan(source: Source, recipe: Recipe) -> Plan:
     Raises
     ------
     MocapmendError
-        If an edit does not fit the file, or its method is not known.
+        If an edit does not fit the file, its method is not known, or its training set is not
+        there.
     """
     gaps = set(find_gaps(source.measured.present))
     reopened = tuple(_gap_of(source, item, source.repaired) for item in recipe.reopened)
@@ -205,9 +207,10 @@ def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> l
     results = []
     for number, job in enumerate(jobs):
         share = number / len(jobs)
-        result = registry.method(job.method).function(
+        result = fill_anyway(
             recording,
             job.gaps,
+            job.method,
             job.params,
             lambda done, share=share: progress(share + done / len(jobs)),
         )
@@ -293,13 +296,15 @@ def _gap_of(source: Source, item: RepairRecord, gaps: Container[Gap]) -> Gap:
 def _method(source: Source, item: RepairRecord) -> tuple[str, Any]:
     try:
         method = registry.method(item.method)
-        return method.id, registry.restore_params(method, item.parameters)
+        params = registry.restore_params(method, training.without_digests(item.parameters))
     except (KeyError, ValueError) as error:
         raise MocapmendError(
             f"The recipe cannot be replayed: {error.args[0]}.",
             str(source.path),
             "Use the version of the program that the recipe names.",
         ) from None
+    training.require_same(params, item.parameters)
+    return method.id, params
 
 
 def _does_not_fit(source: Source, why: str) -> MocapmendError:

@@ -6,7 +6,13 @@ from typing import Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
-from mocapmend_algorithms.fill.params import option, parse, restore
+from mocapmend_algorithms.fill.params import (
+    option,
+    parse,
+    restore,
+    training_names,
+    training_option,
+)
 from mocapmend_algorithms.fill.registry import METHODS, method, parse_params, restore_params
 
 
@@ -28,7 +34,8 @@ def test_the_methods_and_their_order():
     interpolations = ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
     donors = ["rigid", "pattern", "local-frame"]
     low_rank = ["pca-r1", "pca-r2", "burke-lasenby", "tsmc"]
-    assert list(METHODS) == [*interpolations, *donors, *low_rank, "kalman", "auto"]
+    sparse = ["bone-dictionary", "smbs"]
+    assert list(METHODS) == [*interpolations, *donors, *low_rank, *sparse, "kalman", "auto"]
     for key, entry in METHODS.items():
         assert entry.id == key
         assert entry.label
@@ -46,7 +53,7 @@ def test_a_form_can_be_made_of_every_parameter():
         defaults = entry.params()
         hints = get_type_hints(entry.params)
         for field in dataclasses.fields(entry.params):
-            assert set(field.metadata) == {"label", "help", "min", "max", "unit"}
+            assert set(field.metadata) == {"label", "help", "min", "max", "unit", "training"}
             assert field.metadata["label"]
             assert field.metadata["help"].endswith(".")
             hint, value = hints[field.name], getattr(defaults, field.name)
@@ -121,3 +128,23 @@ def test_what_older_files_say_of_parameters_is_understood(entry):
     made = restore_params(entry, known.get(entry.id, {}))
     assert made == entry.params(**known.get(entry.id, {}))
     assert restore_params(entry, dataclasses.asdict(made)) == made
+
+
+@pytest.mark.parametrize("entry", METHODS.values(), ids=METHODS)
+def test_the_texts_among_the_parameters_are_training_sets(entry):
+    texts = {name for name, hint in get_type_hints(entry.params).items() if hint is str}
+    assert texts == set(training_names(entry.params))
+
+
+@dataclasses.dataclass(frozen=True)
+class Taught:
+    training: str = training_option("What to learn from.")
+
+
+def test_a_training_set_is_a_text_as_it_was_given():
+    assert Taught().training == ""
+    assert training_names(Taught) == ("training",)
+    assert training_names(Example) == ()
+    made = parse(Taught, {"training": " My walks, two=2.npz "})
+    assert made.training == "My walks, two=2.npz"
+    assert restore(Taught, json.loads(json.dumps(dataclasses.asdict(made)))) == made

@@ -1,15 +1,25 @@
 """Training sets: what is gathered, and what a file gives back."""
 
+import io
+import json
+import os
+import struct
+import tracemalloc
+import zipfile
+from dataclasses import replace
 from typing import get_args
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from synthetic import bending_body, record
 
 from mocapmend_algorithms.recording import Recording, UpAxis
 from mocapmend_algorithms.sparse.training_set import (
     TrainingSet,
     TrainingSetError,
+    encode_training_set,
     gather,
     read_training_set,
     up_vector,
@@ -36,6 +46,14 @@ def test_recordings_are_gathered_by_label_in_mm_and_without_incomplete_frames():
     first, _, last = training.motions("+z")
     np.testing.assert_allclose(first, one.points[:10, 1:5] * 1000, rtol=1e-12)
     np.testing.assert_array_equal(last, other.points[:, [3, 2, 1, 0]])
+
+
+def test_markers_can_be_chosen_and_fragments_only_by_name():
+    recordings = [body(labels=("A", "*2", "B", "C", "D")), body(labels=("D", "C", "*2", "A", "E"))]
+    assert gather(recordings).labels == ("A", "C", "D")
+    assert gather(recordings, markers=("D", "*2")).labels == ("*2", "D")
+    with pytest.raises(TrainingSetError, match="not every recording has one marker 'B'"):
+        gather(recordings, markers=("A", "B"))
 
 
 def test_a_file_gives_the_set_back(tmp_path):
@@ -111,15 +129,18 @@ def test_files_that_are_no_training_set_are_refused(tmp_path):
     ("change", "message"),
     [
         ({"format": 9}, "format 9, not 1"),
+        ({"format": "9" * 1000}, "format 9{20}, not 1"),
         ({"lengths": [29]}, "contradicts itself"),
         ({"up": "north"}, "says that north points up"),
         ({"rate": 0}, "no numbers"),
+        ({"rate": 1e999}, "no numbers"),
+        ({"lengths": [1e999]}, "not a training set"),
+        ({"settings": 3}, "not a training set"),
+        ({"about": "x" * 300_000}, "head of the training set is too long"),
         ({"labels": 5}, "not a training set"),
     ],
 )
 def test_heads_that_contradict_the_arrays_are_refused(tmp_path, change, message):
-    import json
-
     path = tmp_path / "set.npz"
     write_training_set(gather([body()]), path)
     with np.load(path) as archive:
@@ -127,3 +148,149 @@ def test_heads_that_contradict_the_arrays_are_refused(tmp_path, change, message)
     np.savez(path, head=np.array(json.dumps(head | change)), poses=poses)
     with pytest.raises(TrainingSetError, match=message):
         read_training_set(path)
+
+
+# --- rates -----------------------------------------------------------------------------------
+
+
+def swinging(rate, frames):
+    times = np.arange(frames) / rate
+    phase = 2 * np.pi * 1.5 * times[:, None] + np.arange(4)
+    return record(100 * np.stack([np.sin(phase), np.cos(phase), phase], axis=2), rate=rate)
+
+
+@pytest.mark.parametrize("own", [50.0, 119.88, 120.0, 240.0])
+def test_recordings_of_other_rates_are_sampled_anew(own):
+    training = gather([swinging(own, 200)], rate=100.0)
+    expected = swinging(100.0, int(199 / own * 100 + 1e-6) + 1)
+    assert training.rate == 100
+    assert training.lengths == (expected.frames,)
+    np.testing.assert_allclose(training.poses, expected.points, atol=0.1)
+
+
+def test_a_divisor_of_the_rate_takes_frames_as_they_are():
+    recording = swinging(120.0, 81)
+    training = gather([recording, swinging(40.0, 1)], rate=40.0)
+    assert training.lengths == (27, 1)
+    np.testing.assert_allclose(training.poses[:27], recording.points[::3], atol=1e-9)
+
+
+def test_gaps_are_not_sampled_over():
+    recording = swinging(120.0, 90)
+    points = recording.points.copy()
+    points[40:50] = np.nan
+    training = gather([recording.with_points(points)], rate=60.0)
+    assert training.lengths == (20, 20)
+    np.testing.assert_allclose(training.poses[20:], recording.points[50::2], atol=1e-9)
+
+
+# --- files -----------------------------------------------------------------------------------
+
+
+def test_the_same_set_gives_the_same_bytes():
+    made = replace(gather([body()]), atoms={"trunk": np.arange(12.0).reshape(4, 3)})
+    data = encode_training_set(made)
+    assert encode_training_set(replace(made)) == data
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        assert {info.date_time[0] for info in archive.infolist()} == {1980}
+        assert {info.create_system for info in archive.infolist()} == {3}
+
+
+def refuse(path, message):
+    """Read a file that must be refused without much memory."""
+    tracemalloc.start()
+    try:
+        with pytest.raises(TrainingSetError, match=message):
+            read_training_set(path)
+        assert tracemalloc.get_traced_memory()[1] < 20_000_000
+    finally:
+        tracemalloc.stop()
+
+
+def archive(path, **members):
+    """Write arrays, or bytes as they are, and a good head."""
+    head = np.array(
+        json.dumps(
+            {
+                "format": 1,
+                "labels": ["A"],
+                "rate": 100,
+                "lengths": [1],
+                "up": "+z",
+                "about": "",
+                "settings": {},
+            }
+        )
+    )
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as made:
+        for name, content in ({"head": head} | members).items():
+            if not isinstance(content, bytes):
+                stream = io.BytesIO()
+                np.save(stream, content)
+                content = stream.getvalue()
+            made.writestr(f"{name}.npy", content)
+    return path
+
+
+def npy(shape, data=b""):
+    text = f"{{'descr': '<f4', 'fortran_order': False, 'shape': {shape}, }}".encode()
+    return b"\x93NUMPY\1\0" + struct.pack("<H", len(text)) + text + data
+
+
+POSE = np.zeros((1, 1, 3), np.float32)
+
+
+def test_the_hand_made_archive_is_good(tmp_path):
+    assert read_training_set(archive(tmp_path / "set.npz", poses=POSE)).labels == ("A",)
+
+
+@pytest.mark.parametrize(
+    ("members", "message"),
+    [
+        ({"poses": npy((10**9, 1, 3))}, "not a training set"),
+        ({"poses": npy((10**12, 10**12, 3))}, "not a training set"),
+        ({"poses": npy((200_000_000 // 12, 1, 3), bytes(200_000_000 // 12 * 12))}, "believable"),
+        ({"poses": POSE, "other": bytes(200_000_000)}, "believable"),
+        ({"poses": POSE, **{f"atoms {i}": bytes(5_000_000) for i in range(20)}}, "believable"),
+        ({"poses": POSE.astype(np.float64)}, "float64"),
+        ({"poses": np.array(["a"])}, "<U1"),
+        ({"poses": np.array([{}])}, "not a training set"),
+        ({"poses": POSE, "atoms a": np.zeros(3, np.float32)}, "no table"),
+        ({"poses": POSE, "atoms a": np.full((2, 2), np.nan, np.float32)}, "no numbers"),
+        ({"poses": POSE, "head": np.array("[" * 100_000)}, "not a training set"),
+        ({"poses": POSE, "head": np.array(["{}", "{}"])}, "not a training set"),
+        ({"head": np.array("{}")}, "not a training set"),
+    ],
+)
+def test_hostile_files_are_refused_before_they_take_memory(tmp_path, members, message):
+    refuse(archive(tmp_path / "set.npz", **members), message)
+
+
+def test_a_stream_that_grows_beyond_its_declared_size_is_cut(tmp_path):
+    path = archive(tmp_path / "set.npz", poses=npy((1, 1, 3), bytes(200_000_000)))
+    raw = bytearray(path.read_bytes())
+    struct.pack_into("<I", raw, raw.rindex(b"PK\1\2") + 24, len(npy((1, 1, 3))) + 12)
+    path.write_bytes(raw)
+    refuse(path, "not a training set")
+
+
+def test_folders_and_pipes_are_refused_and_nobody_waits(tmp_path):
+    with pytest.raises(TrainingSetError, match="not a file"):
+        read_training_set(tmp_path)
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(tmp_path / "pipe")
+        with pytest.raises(TrainingSetError, match="not a file"):
+            read_training_set(tmp_path / "pipe")
+
+
+@given(st.data())
+def test_damaged_files_are_read_or_refused(tmp_path_factory, data):
+    path = tmp_path_factory.getbasetemp() / "damaged.npz"
+    raw = bytearray(encode_training_set(gather([body(frames=3)])))
+    for _ in range(data.draw(st.integers(1, 4))):
+        raw[data.draw(st.integers(0, len(raw) - 1))] = data.draw(st.integers(0, 255))
+    path.write_bytes(raw[: data.draw(st.integers(len(raw) // 2, len(raw)))])
+    try:
+        read_training_set(path)
+    except TrainingSetError as error:
+        assert len(str(error)) < 200

@@ -4,6 +4,7 @@ import io
 import json
 import pickle
 import struct
+import tracemalloc
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -218,6 +219,20 @@ def test_a_directory_that_lies_about_sizes(tmp_path: Path) -> None:
     path.write_bytes(raw)
     with pytest.raises(MocapmendError):
         read_recording(path)
+
+
+def test_a_stream_that_grows_beyond_its_declared_size(tmp_path: Path) -> None:
+    declared = "{'descr': '<f8', 'fortran_order': False, 'shape': (100, 1, 3), }"
+    path = archive(tmp_path, npy(declared, bytes(200 << 20)))
+    raw = bytearray(path.read_bytes())
+    struct.pack_into("<I", raw, raw.index(b"PK\1\2") + 24, len(npy(declared)) + 2400)
+    path.write_bytes(raw)
+    tracemalloc.start()
+    with pytest.raises(MocapmendError, match="“pos” is damaged"):
+        read_recording(path)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 10_000_000
 
 
 def test_a_directory_that_is_too_long(tmp_path: Path) -> None:

@@ -27,6 +27,7 @@ def option(
     minimum: float | None = None,
     maximum: float | None = None,
     unit: str = "",
+    training: bool = False,
 ) -> Any:
     """Make a dataclass field that describes itself.
 
@@ -40,14 +41,40 @@ def option(
         The values allowed, both included.
     unit : str
         Shown behind the value.
+    training : bool
+        Whether it names a training set; see `training_option`.
 
     Returns
     -------
     dataclasses.Field
-        With metadata `label`, `help`, `min`, `max` and `unit`.
+        With metadata `label`, `help`, `min`, `max`, `unit` and `training`.
     """
     metadata = {"label": label, "help": text, "min": minimum, "max": maximum, "unit": unit}
-    return dataclasses.field(default=default, metadata=metadata)
+    return dataclasses.field(default=default, metadata=metadata | {"training": training})
+
+
+def training_option(text: str) -> Any:
+    """Make a dataclass field that names a training set, by default none.
+
+    Its value is the path of a file, or the name of one that ships with the program; the method gets
+    a path. Empty means that the method learns from the recording itself.
+
+    Parameters
+    ----------
+    text : str
+        A sentence of help: what the method learns from it.
+
+    Returns
+    -------
+    dataclasses.Field
+        As of `option`.
+    """
+    return option("", label="Learn from", text=text, training=True)
+
+
+def training_names(kind: type[Any]) -> tuple[str, ...]:
+    """Return the names of a parameter class's fields that name training sets."""
+    return tuple(f.name for f in dataclasses.fields(kind) if f.metadata.get("training"))
 
 
 def parse(kind: type[Any], pairs: Mapping[str, str]) -> Any:

@@ -16,7 +16,7 @@ from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import EdgeParams, meet_edges
 from mocapmend_algorithms.fill.motion_codes import Way, read_motions, tell_gaps
-from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress
@@ -33,10 +33,8 @@ ATOMS_TRAINED = 600
 class SmbsParams(EdgeParams):
     """Parameters of `smbs`."""
 
-    training: str = option(
-        "",
-        label="Learn from",
-        text="A training set beside this recording. Automatic: the recording alone.",
+    training: str = training_option(
+        "Recordings to learn from beside this one. By default it learns from this one alone."
     )
     atoms: int | None = option(
         None,

@@ -5,20 +5,32 @@ several recordings with one set of markers, and dictionaries that were trained o
 a NumPy archive (npz) without pickled objects.
 """
 
+import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
-from zipfile import BadZipFile
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.recording import Recording, UpAxis
+from mocapmend_algorithms.zip_arrays import ArchiveError, ZipArrays, write_arrays
 
 FORMAT = 1
+FREE_BYTES = 32 << 20
+"""What a training set may need in single precision however small its file is."""
+BELIEVABLE_RATIO = 20
+LARGEST_HEAD = 1 << 20
+LONGEST_QUOTE = 20
+SAME_FRAME = 1e-6
+DAMAGED = (
+    ArchiveError, OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError,
+    RecursionError,
+)  # fmt: skip
+"""What comes of a file whose content is not what it should be."""
 
 
 class TrainingSetError(ValueError):
@@ -105,38 +117,54 @@ class TrainingSet:
         return np.array([bare.index(label) for label in wanted], dtype=np.int64)
 
 
-def gather(recordings: Sequence[Recording], about: str = "") -> TrainingSet:
+def gather(
+    recordings: Sequence[Recording],
+    about: str = "",
+    rate: float | None = None,
+    markers: Collection[str] = (),
+) -> TrainingSet:
     """Make a training set from recordings.
 
     Parameters
     ----------
     recordings : sequence of Recording
-        With the same markers, in any order and unit, and the same frame rate. Only frames that
-        show all markers are taken.
+        With the same markers, in any order and unit. Only frames that show all markers are taken.
     about : str
         What they are, for people.
+    rate : float, optional
+        Frames per second (Hz) of the set; by default that of the recordings, which must be the
+        same then. Recordings of another rate are sampled anew on cubic splines; where theirs is a
+        multiple of it, that takes every so many frames as they are.
+    markers : collection of str
+        Labels of those to take, without the prefix of a subject; by default all but fragments of
+        trajectories, which are named *... .
 
     Returns
     -------
     TrainingSet
-        The markers that all recordings have, in the order of the first.
+        Those of the markers that all recordings have, in the order of the first.
 
     Raises
     ------
     TrainingSetError
-        If there is no recording, no common marker, no complete frame, or if rates or up axes
-        differ.
+        If there is no recording, no common marker, no complete frame, if a recording lacks one of
+        the given markers, if up axes differ, or if rates do and none is given.
     """
     if not recordings:
         raise TrainingSetError("there is no recording to learn from")
     first = recordings[0]
+    common_rate = first.rate if rate is None else rate
     names = [[_bare(label) for label in recording.labels] for recording in recordings]
     common = [name for name in names[0] if all(own.count(name) == 1 for own in names)]
+    lacking = sorted(set(markers).difference(common))
+    if lacking:
+        raise TrainingSetError(f"not every recording has one marker {lacking[0]!r}")
+    common = [name for name in common if name in markers or not (markers or name[:1] == "*")]
     if not common:
         raise TrainingSetError("the recordings have no marker in common")
     poses: list[FloatArray] = []
     for recording, own in zip(recordings, names, strict=True):
-        if recording.rate != first.rate:
+        if rate is None and recording.rate != first.rate:
             raise TrainingSetError(
                 f"the recordings have different frame rates: {first.rate:g} and "
                 f"{recording.rate:g} Hz"
@@ -147,12 +175,12 @@ def gather(recordings: Sequence[Recording], about: str = "") -> TrainingSet:
             )
         points = recording.points[:, [own.index(name) for name in common]] * recording.mm
         seen = np.asarray(~np.isnan(points).any(axis=(1, 2)))
-        poses += [points[a:b] for a, b in runs(seen)]
+        poses += [_sampled(points[a:b], recording.rate, common_rate) for a, b in runs(seen)]
     if not poses:
         raise TrainingSetError("no frame of the recordings shows all their common markers")
     return TrainingSet(
         tuple(common),
-        first.rate,
+        common_rate,
         np.concatenate(poses),
         tuple(len(part) for part in poses),
         first.up,
@@ -160,13 +188,11 @@ def gather(recordings: Sequence[Recording], about: str = "") -> TrainingSet:
     )
 
 
-def write_training_set(training: TrainingSet, path: Path) -> None:
-    """Write a training set; coordinates and weights have single precision there.
+@np.errstate(over="ignore")
+def encode_training_set(training: TrainingSet) -> bytes:
+    """Return the file of a training set; coordinates and weights have single precision there.
 
-    Raises
-    ------
-    OSError
-        If it cannot be written.
+    The same training set gives the same bytes.
     """
     head = {
         "format": FORMAT,
@@ -177,19 +203,28 @@ def write_training_set(training: TrainingSet, path: Path) -> None:
         "about": training.about,
         "settings": dict(training.settings),
     }
-    arrays = {f"atoms {name}": atoms.astype(np.float32) for name, atoms in training.atoms.items()}
-    with path.open("wb") as stream:
-        np.savez_compressed(
-            stream,
-            allow_pickle=False,
-            head=np.array(json.dumps(head)),
-            poses=training.poses.astype(np.float32),
-            **arrays,
-        )
+    arrays = {"head": np.array(json.dumps(head)), "poses": training.poses.astype(np.float32)}
+    arrays |= {f"atoms {name}": atoms.astype(np.float32) for name, atoms in training.atoms.items()}
+    stream = io.BytesIO()
+    write_arrays(stream, arrays, compress=True)
+    return stream.getvalue()
+
+
+def write_training_set(training: TrainingSet, path: Path) -> None:
+    """Write a training set; see `encode_training_set`.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    path.write_bytes(encode_training_set(training))
 
 
 def read_training_set(path: Path) -> TrainingSet:
     """Read a training set.
+
+    Nothing is allocated that the size of the file does not justify.
 
     Raises
     ------
@@ -197,47 +232,85 @@ def read_training_set(path: Path) -> TrainingSet:
         If there is no such file, or it is not a training set.
     """
     try:
-        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
-            head = json.loads(str(archive["head"]))
-            poses = np.asarray(archive["poses"], dtype=np.float64)
-            atoms = {
-                name.removeprefix("atoms "): np.asarray(archive[name], dtype=np.float64)
-                for name in archive.files
-                if name.startswith("atoms ")
-            }
-        training = TrainingSet(
-            tuple(map(str, head["labels"])),
-            float(head["rate"]),
-            poses,
-            tuple(map(int, head["lengths"])),
-            head["up"],
-            str(head["about"]),
-            atoms,
-            dict(head["settings"]),
-        )
-        _check(training, head["format"])
+        # Opening a pipe or a device could wait for ever.
+        if path.exists() and not path.is_file():
+            raise TrainingSetError("this is not a file")
+        with path.open("rb", buffering=0) as stream:
+            return _read(ZipArrays(stream), path.stat().st_size)
     except FileNotFoundError:
         raise TrainingSetError("there is no such training set") from None
+    except PermissionError:
+        raise TrainingSetError("this training set may not be read") from None
     except TrainingSetError:
         raise
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile):
+    except DAMAGED as error:
         raise TrainingSetError(
             "this is not a training set of mocapmend, or it is damaged"
-        ) from None
+        ) from error
+
+
+def _read(arrays: ZipArrays, size: int) -> TrainingSet:
+    if arrays.bytes > max(FREE_BYTES, BELIEVABLE_RATIO * size):
+        raise TrainingSetError("the training set would grow beyond what is believable")
+    raw = arrays.read("head")
+    if raw.nbytes > LARGEST_HEAD:
+        raise TrainingSetError("the head of the training set is too long")
+    head = json.loads(str(raw))
+    training = TrainingSet(
+        tuple(map(str, head["labels"])),
+        float(head["rate"]),
+        _numbers(arrays, "poses"),
+        tuple(map(int, head["lengths"])),
+        head["up"],
+        str(head["about"]),
+        {
+            name.removeprefix("atoms "): _numbers(arrays, name)
+            for name in arrays.names
+            if name.startswith("atoms ")
+        },
+        dict(head["settings"]),
+    )
+    _check(training, head["format"])
     return training
+
+
+def _numbers(arrays: ZipArrays, name: str) -> FloatArray:
+    array = arrays.read(name)
+    if array.dtype != np.float32:
+        raise TrainingSetError(f"the training set has {array.dtype} in “{name}”, not float32")
+    return np.asarray(array, dtype=np.float64)
 
 
 def _check(training: TrainingSet, version: object) -> None:
     if version != FORMAT:
-        raise TrainingSetError(f"the training set has format {version}, not {FORMAT}")
+        raise TrainingSetError(f"the training set has format {_quote(version)}, not {FORMAT}")
     if training.up not in get_args(UpAxis):
-        raise TrainingSetError(f"the training set says that {training.up} points up")
+        raise TrainingSetError(f"the training set says that {_quote(training.up)} points up")
     shape = (sum(training.lengths), len(training.labels), 3)
     if training.poses.shape != shape or min(training.lengths, default=0) < 1:
         raise TrainingSetError("the training set contradicts itself: its frames are not as listed")
     arrays = [training.poses, *training.atoms.values()]
-    if not all(np.isfinite(array).all() for array in arrays) or not training.rate > 0:
+    if any(atoms.ndim != 2 for atoms in training.atoms.values()):
+        raise TrainingSetError("the training set has a dictionary that is no table")
+    if not all(np.isfinite(a).all() for a in arrays) or not 0 < training.rate < np.inf:
         raise TrainingSetError("the training set has values that are no numbers")
+
+
+def _quote(value: object) -> str:
+    return str(value)[:LONGEST_QUOTE]
+
+
+def _sampled(points: FloatArray, own: float, wanted: float) -> FloatArray:
+    """Sample complete frames, shape (frames, markers, 3), at another rate (Hz)."""
+    if own == wanted or len(points) < 2:
+        return points
+    from scipy.interpolate import CubicSpline
+
+    seconds = np.arange(len(points)) / own
+    count = int(seconds[-1] * wanted + SAME_FRAME) + 1
+    spline = CubicSpline(seconds, points, axis=0)
+    sampled: FloatArray = spline(np.minimum(np.arange(count) / wanted, seconds[-1]))
+    return sampled
 
 
 def _bare(label: str) -> str:

@@ -20,9 +20,14 @@ COMMANDS = {
     "repair": "fill gaps and write a repaired copy",
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",
+    "train": "make what methods learn from: train sparse",
     "check": "prove that a repaired C3D file differs from its original in repaired samples alone",
     "bench": "measure speed and accuracy: bench io, bench gui, bench fuzz, bench gaps",
 }
+PARTS = {
+    "train": {"sparse": "gather what the sparse methods learn from"},
+}
+"""Commands of several parts: each is a module of its own."""
 _HELP = """\
 commands (mocapmend COMMAND --help says more):
 {commands}
@@ -85,7 +90,10 @@ def _run(command: str, arguments: list[str], console: Console) -> int:
         return _window(arguments, console)
     if command == "bench":
         return _bench(arguments)
-    module = import_module(f"mocapmend.cli.{command}")
+    if command in PARTS:
+        command = f"{command} {_part(command, arguments[:1])}"
+        console.command, arguments = command, arguments[1:]
+    module = import_module("mocapmend.cli." + command.replace(" ", "."))
     parser = argparse.ArgumentParser(
         prog=f"mocapmend {command}", description=module.__doc__, allow_abbrev=False
     )
@@ -96,6 +104,21 @@ def _run(command: str, arguments: list[str], console: Console) -> int:
     except UsageError as error:
         parser.error(str(error))
     return code
+
+
+def _part(command: str, arguments: list[str]) -> str:
+    """Read which part of a command is asked for, without loading one."""
+    parser = argparse.ArgumentParser(
+        prog=f"mocapmend {command}",
+        description=import_module(f"mocapmend.cli.{command}").__doc__,
+        epilog=f"mocapmend {command} PART --help says more.",
+        allow_abbrev=False,
+    )
+    parts = parser.add_subparsers(dest="part", metavar="PART", required=True)
+    for name, text in PARTS[command].items():
+        parts.add_parser(name, help=text, add_help=False)
+    chosen: str = parser.parse_args(arguments).part
+    return chosen
 
 
 def _window(arguments: list[str], console: Console) -> int:

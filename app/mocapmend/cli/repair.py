@@ -23,6 +23,7 @@ from mocapmend.files import Source, check_ending, read_recording
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_resources import training
 
 DEFAULT_METHOD = "auto"
 
@@ -43,7 +44,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="a parameter of the method, such as donors=LASI,RASI; may be given several times",
+        help="a parameter of the method, such as donors=LASI,RASI, or training=SET: a file of "
+        f"“mocapmend train”, or one that ships{_shipped()}; may be given several times",
     )
     parser.add_argument(
         "--max-gap", type=_frames, metavar="FRAMES", help="leave longer gaps open; 0 fills none"
@@ -105,6 +107,11 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     console.result(**done.as_json(files, samples=arguments.samples))
     done.show(console, files)
     return 0
+
+
+def _shipped() -> str:
+    names = training.names()
+    return f" ({', '.join(names)})" if names else ""
 
 
 def _method(text: str) -> registry.Method:

@@ -66,7 +66,7 @@ def choose(arguments: argparse.Namespace, *others: Path | None) -> Path:
                 "Choose another name"
                 + (", or add --in-place to replace it." if may_replace else "."),
             )
-        _check_place(out, overwrite=arguments.overwrite)
+        check_place(out, overwrite=arguments.overwrite)
     taken = [source, out]
     for other in others:
         if other is None:
@@ -75,12 +75,19 @@ def choose(arguments: argparse.Namespace, *others: Path | None) -> Path:
             raise MocapmendError(
                 "Two of the files would have the same name.", str(other), "Choose another name."
             )
-        _check_place(other, overwrite=arguments.overwrite)
+        check_place(other, overwrite=arguments.overwrite)
         taken.append(other)
     return out
 
 
-def _check_place(path: Path, *, overwrite: bool) -> None:
+def check_place(path: Path, *, overwrite: bool) -> None:
+    """Make sure that a file can be written here.
+
+    Raises
+    ------
+    MocapmendError
+        If something is in the way.
+    """
     if path.is_dir():
         raise MocapmendError("This is a folder, not a file.", str(path), "Name a file in it.")
     if path.exists() and not overwrite:

@@ -51,15 +51,20 @@ class KeyGuard(QObject):
         if plain != Qt.KeyboardModifier.NoModifier:
             return False
         if event.type() == QEvent.Type.ShortcutOverride:
-            claimed = next(
-                (keys for kind, keys in _CLAIMED.items() if isinstance(watched, kind)), ()
-            )
+            field = self._field(watched)
+            claimed = next((keys for kind, keys in _CLAIMED.items() if isinstance(field, kind)), ())
             if event.key() in claimed:
                 event.accept()
                 return True
         elif event.type() == QEvent.Type.KeyPress and event.key() in _DONE:
-            return self._finish(watched, event)
+            return self._finish(self._field(watched), event)
         return False
+
+    @staticmethod
+    def _field(watched: QWidget) -> QWidget:
+        """Return what takes the keys: the text of a list that can be typed in has no focus."""
+        edit = watched.lineEdit() if isinstance(watched, QComboBox) else None
+        return watched if edit is None else edit
 
     @staticmethod
     def _finish(watched: QWidget, event: QKeyEvent) -> bool:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.views.names_edit import NamesEdit
+from mocapmend.views.training_box import TrainingBox
 from mocapmend_algorithms.fill.params import Words
 
 Getter = Callable[[], Any]
@@ -84,6 +85,8 @@ class ParamsForm(QWidget):
             return self._choice(get_args(hint), entry.default)
         if hint == Words:
             return self._words(entry.default)
+        if entry.metadata["training"]:
+            return self._training(entry)
         if hint is bool:
             box = QCheckBox()
             box.setChecked(bool(entry.default))
@@ -104,6 +107,11 @@ class ParamsForm(QWidget):
         edit.set_selection(self._selection)
         edit.changed.connect(self.changed)
         return edit, edit.labels
+
+    def _training(self, entry: Field[Any]) -> tuple[QWidget, Getter]:
+        box = TrainingBox(str(entry.default), entry.metadata["label"])
+        box.changed.connect(self.changed)
+        return box, box.name
 
     def _number(
         self, entry: Field[Any], hint: type, default: Any

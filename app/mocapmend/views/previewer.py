@@ -1,5 +1,6 @@
 """Computes the repair of the current gap in the background and drops what is out of date."""
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -7,6 +8,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend import engine
 from mocapmend.document import Document
+from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
 from mocapmend.viewstate import Preview, ViewState
 from mocapmend_algorithms import Gap
@@ -75,9 +77,16 @@ class Previewer(QObject):
         job.cancelled.connect(
             lambda: self._view.set_preview(none(self.tr("the preview was cancelled")))
         )
-        job.failed.connect(lambda _: self._view.set_preview(none(self.tr("the preview failed"))))
-        job.failed.connect(self.failed)
+        job.failed.connect(lambda error: self._tell(error, none))
         self._job = job
+
+    def _tell(self, error: Exception, none: Callable[[str], Preview]) -> None:
+        """Show what the user can mend where the preview would be: no dialog at every gap."""
+        if isinstance(error, MocapmendError):
+            self._view.set_preview(none(str(error)))
+        else:
+            self._view.set_preview(none(self.tr("the preview failed")))
+            self.failed.emit(error)
 
     def _show(self, gap: Gap, method: str, params: object, result: FillResult) -> None:
         if result.patches:

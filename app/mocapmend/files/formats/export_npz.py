@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
-from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +11,7 @@ from mocapmend.files.formats.export import export_labels, write_verified
 from mocapmend.files.formats.npz import read_npz
 from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.zip_arrays import write_arrays
 
 
 def write_npz(
@@ -67,14 +67,8 @@ def write_npz(
         arrays["filled"] = filled & recording.present
 
     def write(stream: BinaryIO) -> None:
-        # As numpy.savez, which may pickle what it does not know.
-        with ZipFile(stream, "w") as archive:
-            for name, array in arrays.items():
-                # With the time that stands for none: the same recording gives the same bytes.
-                info = ZipInfo(f"{name}.npy")
-                with archive.open(info, "w", force_zip64=True) as member:
-                    np.lib.format.write_array(member, array, allow_pickle=False)
-                progress(0.5)
+        write_arrays(stream, arrays, compress=False)
+        progress(0.5)
 
     write_verified(Path(out), write, read_npz, points, progress)
     return tuple(notes)

@@ -11,10 +11,10 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files.formats.assemble import Stated, assemble
 from mocapmend.files.formats.columns import MOST_MARKERS, clean_label
 from mocapmend.files.formats.frames import LARGEST_FRAME, Frames, MissingRule
-from mocapmend.files.formats.zip_arrays import ZipArrays
-from mocapmend.files.opening import Stamp, open_file, too_large
+from mocapmend.files.opening import ANOTHER_FILE, Stamp, cannot_read, open_file, too_large
 from mocapmend.files.source import Source
 from mocapmend.files.space import AXES
+from mocapmend_algorithms.zip_arrays import ArchiveError, ZipArrays
 
 TODO = "Save pos (frames, markers, 3), fps, names, units and up with numpy.savez."
 
@@ -35,7 +35,11 @@ def read_npz(path: Path) -> Source:
     path = Path(path)
     with open_file(path) as (stream, stamp):
         try:
-            return _source(ZipArrays(stream, path), path, stamp)
+            return _source(ZipArrays(stream), path, stamp)
+        except ArchiveError as error:
+            raise MocapmendError(str(error), str(path), ANOTHER_FILE) from error
+        except OSError as error:
+            raise cannot_read(str(path), error) from error
         except MemoryError:
             raise too_large(str(path)) from None
 

@@ -1,0 +1,1 @@
+"""Make what methods learn from."""
