@@ -25,7 +25,7 @@ recordings:
 
 Shorter segments, those of other frames as further columns and delayed copies of the columns were
 tried, and erred more on the whole. With a distance scale of 10000 mm, a weight of 1 and without
-`meet_edges` it is plain completion, which errs up to four times as much.
+`meet_edges` it is plain completion, which errs up to five times as much.
 """
 
 from collections.abc import Sequence
