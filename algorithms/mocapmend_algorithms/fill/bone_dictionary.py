@@ -36,7 +36,7 @@ from mocapmend_algorithms.sparse.body import Body, find_body
 from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion
 
-ATOMS_ALONE = 300
+ATOMS_ALONE = 150
 ATOMS_TRAINED = 600
 FADE_S = 0.3
 """Time in which what is left over at the edges of a gap falls to 1/e: 0.25 to 0.5 s do as well."""
@@ -60,7 +60,7 @@ class BoneDictionaryParams(EdgeParams):
     atoms: int | None = option(
         None,
         label="Atoms",
-        text="Examples of motion in the dictionary. Automatic: up to 300 of the recording, or 600 "
+        text="Examples of motion in the dictionary. Automatic: up to 150 of the recording, or 600 "
         "with a training set.",
         minimum=10,
         maximum=5000,
@@ -100,7 +100,7 @@ def bone_dictionary(
     -------
     FillResult
         With the number of markers (`helpers`) and `examples` in the notes. Gaps stay open where
-        fewer than 3 markers are seen, or fewer than 30 windows show them all.
+        fewer than 3 markers are seen, or fewer than 10 windows show them all.
 
     Raises
     ------

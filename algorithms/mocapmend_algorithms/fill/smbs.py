@@ -25,7 +25,7 @@ from mocapmend_algorithms.sparse.body import Body, find_body
 from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion
 
-ATOMS_ALONE = 300
+ATOMS_ALONE = 150
 ATOMS_TRAINED = 600
 
 
@@ -39,7 +39,7 @@ class SmbsParams(EdgeParams):
     atoms: int | None = option(
         None,
         label="Atoms",
-        text="Examples of motion in the dictionary. Automatic: up to 300 of the recording, or 600 "
+        text="Examples of motion in the dictionary. Automatic: up to 150 of the recording, or 600 "
         "with a training set.",
         minimum=10,
         maximum=5000,
@@ -78,7 +78,7 @@ def smbs(
     -------
     FillResult
         With the number of markers (`helpers`) and `examples` in the notes. Gaps stay open where
-        fewer than 3 markers are seen, or fewer than 30 windows show them all.
+        fewer than 3 markers are seen, or fewer than 10 windows show them all.
 
     Raises
     ------

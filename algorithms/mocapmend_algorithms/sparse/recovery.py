@@ -17,7 +17,7 @@ from mocapmend_algorithms.sparse.examples import (
 from mocapmend_algorithms.sparse.rows import Rows
 from mocapmend_algorithms.sparse.windows import Span
 
-LEAST_EXAMPLES = 30
+LEAST_EXAMPLES = 10
 MOST_POSES = 200
 
 

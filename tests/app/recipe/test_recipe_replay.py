@@ -24,7 +24,9 @@ from mocapmend_algorithms import find_gaps, no_progress
 from mocapmend_algorithms.fill.registry import METHODS
 from mocapmend_algorithms.skeleton import Skeleton
 
-WAYS = [(method, {}) for method in METHODS]
+QUICK: dict[str, dict[str, Any]] = {"bone-dictionary": {"atoms": 30}, "smbs": {"atoms": 30}}
+"""Parameters that make slow methods quick."""
+WAYS = [(method, QUICK.get(method, {})) for method in METHODS]
 WAYS += [
     ("constant", {"hold": "before"}),
     ("kalman", {"direction": "causal", "velocity_interval_ms": 30.0}),

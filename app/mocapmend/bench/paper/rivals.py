@@ -237,10 +237,17 @@ def rivals(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> list
         Rival(
             "TSMC",
             {
-                f"threshold {t} %": by_method("tsmc", threshold=t)
-                for t in ("0.001", "0.003", "0.01")
+                "plain": by_method(
+                    "tsmc",
+                    weight_scale_mm="10000",
+                    missing_weight="1",
+                    meet_edges="false",
+                    around_s="600",
+                ),
+                "weighted": by_method("tsmc"),
+                "weighted, threshold 0.03 %": by_method("tsmc", threshold="0.03"),
             },
-            "threshold 0.003 %",
+            "weighted",
         ),
         Rival(
             "SMBS",
