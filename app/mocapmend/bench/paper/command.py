@@ -360,7 +360,7 @@ def _targets(rows: Sequence[Mapping[str, Cell]], grids: Sequence[Grid]) -> Grid:
 
 def _tuned(trials: Sequence[Trial], table: Sequence[Rival]) -> Grid:
     lines: list[dict[str, Cell]] = []
-    for rival in table:
+    for rival in (rival for rival in table if len(rival.settings) > 1):
         for setting, find in rival.settings.items():
             line: dict[str, Cell] = {
                 "method": rival.name,
