@@ -32,6 +32,7 @@ from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, ob
 from mocapmend_algorithms.fill.known_poses import KnownPoses, Library, of_recording, of_training_set
 from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
+from mocapmend_algorithms.fill.punch_errors import BareFill
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
@@ -123,13 +124,17 @@ def pose_code(
     TrainingSetError
         If the training set cannot be read, or has markers that the recording lacks.
     """
+    return fill_with_bands(recording, gaps, bare_pose_code(recording, params), progress)
+
+
+def bare_pose_code(recording: Recording, params: PoseCodeParams) -> BareFill:
+    """Return the fill of `pose_code` without a word on its errors; see there."""
     if params.training:
         training = read_training_set(Path(params.training))
         library = of_training_set(training, recording, params.poses)
     else:
         library = of_recording(recording, params.poses)
-    fill = partial(_fill, params=params, library=library)
-    return fill_with_bands(recording, gaps, fill, progress)
+    return partial(_fill, params=params, library=library)
 
 
 def _fill(
