@@ -64,6 +64,8 @@ MODEL_VARIANTS = [
     ("bone-dictionary", {"atoms": "40"}),
     ("bone-dictionary", {"atoms": "40", "keep_bones": "false"}),
     ("smbs", {"atoms": "40"}),
+    ("pose-code", {}),
+    ("pose-code", {"relative_to": "place", "centred": "false", "meet_edges": "false"}),
 ]
 """Of the methods that look at other markers; the others' are `VARIANTS`."""
 UNITS = ["mm", "cm", "m"]

@@ -22,6 +22,7 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.pca_basis import Basis
 from mocapmend_algorithms.fill.pca_groups import LEAST_HELPERS, Group, r1, r2
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
+from mocapmend_algorithms.fill.punch_errors import BareFill
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
@@ -120,9 +121,13 @@ def pca_r2(
         With the number of markers (`helpers`), `components` and `complete_frames` in the notes.
         Gaps stay open where fewer than 3 markers help, or fewer than 10 frames are complete.
     """
+    return fill_with_bands(recording, gaps, bare_r2(params), progress)
+
+
+def bare_r2(params: PcaR2Params) -> BareFill:
+    """Return the fill of `pca_r2` without a word on its errors."""
     choose = partial(r2, near=params.near)
-    fill = partial(_fill, params=params, choose=choose, few="are seen throughout the gap")
-    return fill_with_bands(recording, gaps, fill, progress)
+    return partial(_fill, params=params, choose=choose, few="are seen throughout the gap")
 
 
 def _fill(

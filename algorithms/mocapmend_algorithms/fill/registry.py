@@ -14,6 +14,7 @@ from mocapmend_algorithms.fill import (
     local_frame,
     params,
     pca,
+    pose_code,
     smbs,
     tsmc,
     woltring,
@@ -194,6 +195,18 @@ _ALL = (
         "possible, near markers counting more (after Tan, Hou and Chau 2013). About as good as the "
         "principal components, and often better where several neighbours are missing too; poor "
         "where the body turns or moves in the gap as it does nowhere around it.",
+        fills_edges=True,
+    ),
+    Method(
+        id="pose-code",
+        label="Sparse code of poses",
+        family="Sparse",
+        function=pose_code.pose_code,
+        params=pose_code.PoseCodeParams,
+        help="Composes each pose from few complete ones, of this recording or of a training set, "
+        "that agree with it in the markers that are seen, and takes the missing marker from them. "
+        "Good for long gaps where like poses are known; in motion that comes only once, there is "
+        "nothing to take from.",
         fills_edges=True,
     ),
     Method(

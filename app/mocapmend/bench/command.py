@@ -13,6 +13,7 @@ BENCHES = {
     "gui": "scrubbing a large recording, and the time to the first picture",
     "kalman": "the constant-velocity filter: a paper's experiment, and its speed beside filterpy",
     "fuzz": "damaged files: each must open or be refused, soon and without much memory",
+    "poses": "sparse codes of poses: dictionary size, gap length, missing markers",
     "paper": "a paper's experiment: joints of a skeleton, neighbours missing for long",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
 }
