@@ -7,7 +7,7 @@ import pytest
 
 from mocapmend_algorithms import Cancelled
 from mocapmend_algorithms.sparse.bone_codes import Problem, encode_bones
-from mocapmend_algorithms.sparse.lasso import encode
+from mocapmend_algorithms.sparse.newton import Coder
 from mocapmend_algorithms.sparse.training import Trained, begin, train
 
 BONES, COLUMNS, ATOMS = 8, 60, 30
@@ -72,7 +72,7 @@ def test_without_bones_and_masks_it_is_the_lasso(problem, dictionary):
     everything = np.ones_like(problem.seen)
     plain = replace(problem, seen=everything, bone_weight=0.0, penalty=0.5)
     found = encode_bones(dictionary, plain, nothing(dictionary), iterations=20_000, tolerance=1e-12)
-    best = encode(dictionary, plain.targets, 0.5, tolerance=1e-10, most_iterations=20_000)
+    best = Coder.of(dictionary).encode(plain.targets, 0.5, tolerance=1e-9)
     assert plain.objective(dictionary, found) == pytest.approx(
         plain.objective(dictionary, best.weights), rel=1e-5
     )

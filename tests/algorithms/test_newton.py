@@ -8,13 +8,26 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mocapmend_algorithms.progress import Cancelled
-from mocapmend_algorithms.sparse.lasso import encode
 from mocapmend_algorithms.sparse.newton import COLUMNS, Coder
 
 
 def value(dictionary, targets, weights, penalty):
     left = targets - dictionary @ weights
     return np.sum(left**2, axis=0) / 2 + penalty * np.abs(weights).sum(axis=0)
+
+
+def gradient_steps(dictionary, targets, penalty, steps=5000):
+    """Minimise the same by accelerated proximal gradient steps (Beck and Teboulle 2009)."""
+    step = 1 / max(np.linalg.norm(dictionary, 2) ** 2, 1e-12)
+    weights = ahead = np.zeros((dictionary.shape[1], targets.shape[1]))
+    momentum = 1.0
+    for _ in range(steps):
+        moved = ahead - step * (dictionary.T @ (dictionary @ ahead - targets))
+        new = moved - np.clip(moved, -step * penalty, step * penalty)
+        after = (1 + np.sqrt(1 + 4 * momentum**2)) / 2
+        ahead = new + (momentum - 1) / after * (new - weights)
+        weights, momentum = new, after
+    return weights
 
 
 def much_alike(rows, atoms, seed=0):
@@ -65,12 +78,32 @@ def test_gradient_steps_find_the_same_value(rows, atoms, columns, penalty, seed)
     dictionary = rng.normal(size=(rows, atoms)) / np.sqrt(rows)
     targets = rng.normal(size=(rows, columns)) / np.sqrt(rows)
     newton = Coder.of(dictionary).encode(targets, penalty)
-    steps = encode(dictionary, targets, penalty, tolerance=1e-7, most_iterations=20_000)
+    steps = gradient_steps(dictionary, targets, penalty)
     ours = value(dictionary, targets, newton.weights, penalty)
-    theirs = value(dictionary, targets, steps.weights, penalty)
+    theirs = value(dictionary, targets, steps, penalty)
     energy = np.sum(targets**2, axis=0) / 2
     assert (ours <= theirs * 1.001 + 1e-6 * energy).all()
     assert (newton.gap * energy <= 1.001e-3 * ours + 1e-6 * energy).all()
+
+
+def test_the_duality_gap_bounds_what_is_missing_to_the_minimum():
+    dictionary, targets = much_alike(30, 120), much_alike(30, 20, seed=1)
+    coder = Coder.of(dictionary)
+    least = value(dictionary, targets, coder.encode(targets, 1e-2, tolerance=1e-9).weights, 1e-2)
+    for tolerance in (0.5, 0.1, 1e-3):
+        codes = coder.encode(targets, 1e-2, tolerance=tolerance)
+        reached = value(dictionary, targets, codes.weights, 1e-2)
+        energy = np.sum(targets**2, axis=0) / 2
+        assert (reached - least <= codes.gap * energy + 1e-9 * energy).all()
+        assert (codes.gap * energy <= tolerance * reached).all()
+
+
+def test_a_larger_penalty_uses_fewer_atoms_and_a_huge_one_none():
+    dictionary, targets = much_alike(30, 120), much_alike(30, 20, seed=1)
+    coder = Coder.of(dictionary)
+    used = [np.count_nonzero(coder.encode(targets, p).weights) for p in (1e-3, 1e-2, 1e-1, 100.0)]
+    assert used == sorted(used, reverse=True)
+    assert used[-1] == 0
 
 
 def test_the_code_of_an_atom_is_that_atom_alone():

@@ -17,13 +17,12 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray, evenly
 from mocapmend_algorithms.progress import Progress
-from mocapmend_algorithms.sparse.lasso import encode
+from mocapmend_algorithms.sparse.newton import Coder
 
 RIDGE = 1e-2
 REFIT = 1e-2
 """Weights of the two regressions, relative to the mean of what they are added to."""
-TOLERANCE = 1e-3
-MOST_ITERATIONS = 60
+TOLERANCE = 1e-2
 
 
 @dataclass(frozen=True)
@@ -79,7 +78,7 @@ class CodeModel:
         coordinates = self._features(known[atoms])
         size = np.sqrt(np.einsum("er,er->e", coordinates, coordinates))
         size[size == 0] = 1.0
-        self._atoms = (coordinates / size[:, None]).T
+        self._coder = Coder.of((coordinates / size[:, None]).T)
         self._lost = ((lost[atoms] - self._mean) / size[:, None]).T
         self.left_over = np.zeros((0, lost.shape[1]))
         if others.size:
@@ -98,13 +97,9 @@ class CodeModel:
         return lost
 
     def _encode(self, known: FloatArray, progress: Progress) -> FloatArray:
-        return encode(
-            self._atoms,
-            self._features(known).T,
-            self._settings.penalty,
-            tolerance=TOLERANCE,
-            most_iterations=MOST_ITERATIONS,
-            progress=progress,
+        targets = np.ascontiguousarray(self._features(known).T)
+        return self._coder.encode(
+            targets, self._settings.penalty, tolerance=TOLERANCE, progress=progress
         ).weights
 
 

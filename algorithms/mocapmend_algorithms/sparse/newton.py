@@ -1,14 +1,16 @@
 """Sparse codes over atoms that are much alike, by Newton steps.
 
-The poses of a recording are so alike that gradient steps (`lasso`) need thousands of rounds where
-the penalty is small. The codes minimise the same function,
+Each column y of the targets gets the code w over the dictionary D that minimises
 
-    1/2 |y - D w|^2 + penalty * |w|_1,
+    1/2 |y - D w|^2 + penalty * |w|_1.
 
-by the semismooth Newton augmented Lagrangian method (Li, Sun and Toh 2018, SIAM Journal on
-Optimization 28(1):433-458): the residual r is the point nearest to y with |D^T r| <= penalty
-everywhere, w are the multipliers of these bounds, and each Newton step solves a system no larger
-than the rows of D or the atoms in use, whichever are fewer. All columns step together.
+The poses of a recording are so alike that gradient steps (Beck and Teboulle 2009, FISTA) need
+thousands of rounds where the penalty is small. Here it is the semismooth Newton augmented
+Lagrangian method (Li, Sun and Toh 2018, SIAM Journal on Optimization 28(1):433-458): the residual r
+is the point nearest to y with |D^T r| <= penalty everywhere, w are the multipliers of these bounds,
+and each Newton step solves a system no larger than the rows of D or the atoms in use, whichever are
+fewer. All columns step together. A column is done when its duality gap says that it is as near to
+its minimum as was asked.
 """
 
 from dataclasses import dataclass
@@ -17,7 +19,6 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.progress import Progress, no_progress, part
-from mocapmend_algorithms.sparse.lasso import Codes
 
 COLUMNS = 64
 """At a time: so that little memory is needed."""
@@ -30,6 +31,25 @@ EXACTNESS = 1e-2
 DOWNHILL = 1e-4
 ROUNDING = 1e-14
 TINY = float(np.finfo(np.float64).tiny)
+
+
+@dataclass(frozen=True, eq=False)
+class Codes:
+    """Sparse codes and how good they are.
+
+    Attributes
+    ----------
+    weights : ndarray, shape (atoms, columns)
+        The codes.
+    gap : ndarray, shape (columns,)
+        By how much each may miss its optimum, relative to half the squared length of its target.
+    iterations : int
+        Steps taken.
+    """
+
+    weights: FloatArray
+    gap: FloatArray
+    iterations: int
 
 
 @dataclass(frozen=True, eq=False)
