@@ -34,7 +34,7 @@ def test_the_methods_and_their_order():
     interpolations = ["constant", "linear", "cubic", "pchip", "woltring", "cyclic"]
     donors = ["rigid", "pattern", "local-frame"]
     low_rank = ["pca-r1", "pca-r2", "burke-lasenby", "tsmc"]
-    sparse = ["bone-dictionary", "smbs"]
+    sparse = ["pose-code", "bone-dictionary", "smbs"]
     assert list(METHODS) == [*interpolations, *donors, *low_rank, *sparse, "kalman", "auto"]
     for key, entry in METHODS.items():
         assert entry.id == key
