@@ -35,6 +35,7 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.sparse.part_codes import PartSettings, train_parts
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
 from mocapmend_resources import skeletons
 
@@ -126,6 +127,7 @@ def train_sparse(
     about: str,
     markers: Collection[str],
     rate: float | None,
+    parts: PartSettings | None,
     progress: Progress,
 ) -> TrainingSet:
     """Make a training set for the sparse methods.
@@ -140,6 +142,8 @@ def train_sparse(
         The markers to learn; see `gather`.
     rate : float, optional
         Frames per second (Hz) of the set; by default the lowest of the recordings.
+    parts : PartSettings, optional
+        How the dictionaries of a skeleton's parts are trained; none by default.
     progress : Progress
         Called often; may cancel.
 
@@ -151,6 +155,8 @@ def train_sparse(
     common_rate = rate or min((recording.rate for recording in recordings), default=None)
     try:
         made = gather(recordings, about, common_rate, markers)
+        if parts is not None:
+            made = train_parts(made, parts, progress)
     except TrainingSetError as error:
         todo = "Choose other recordings, or name the markers to learn."
         raise training.complaint(error, "", todo) from error

@@ -21,6 +21,8 @@ What is different here, each by measurement (`bench paper`):
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
+from typing import Literal
 
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import FillResult
@@ -29,12 +31,14 @@ from mocapmend_algorithms.fill.keep_bones import joined_by_bones, projected, pul
 from mocapmend_algorithms.fill.motion_codes import Way, read_motions, tell_gaps
 from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
+from mocapmend_algorithms.fill.trained_parts import TrainedParts
 from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import Body, find_body
 from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion
+from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 
 ATOMS_ALONE = 150
 ATOMS_TRAINED = 600
@@ -48,6 +52,12 @@ class BoneDictionaryParams(EdgeParams):
 
     training: str = training_option(
         "Recordings to learn from beside this one. By default it learns from this one alone."
+    )
+    dictionary: Literal["examples", "trained"] = option(
+        "examples",
+        label="Dictionary",
+        text="Examples: stretches of motion as they are. Trained: the dictionaries of the five "
+        "parts of a skeleton that a training set has, as printed in the paper; less exact.",
     )
     window_ms: float = option(
         330.0,
@@ -108,8 +118,16 @@ def bone_dictionary(
         If the training set cannot be read, or is of other markers.
     """
     body = find_body(recording, seen_outside(recording.present, gaps))
-    others = read_motions(params.training, recording, body)
-    fill = partial(fill_bare, params=params, body=body, others=others)
+    if params.dictionary == "trained":
+        if not params.training:
+            raise TrainingSetError(
+                "trained dictionaries come with a training set, and none is given"
+            )
+        parts = TrainedParts(read_training_set(Path(params.training)), recording)
+        fill = partial(fill_bare, params=params, body=body, others=(), parts=parts)
+    else:
+        others = read_motions(params.training, recording, body)
+        fill = partial(fill_bare, params=params, body=body, others=others)
     return fill_with_bands(recording, gaps, fill, progress)
 
 
@@ -123,6 +141,7 @@ def fill_bare(
     params: BoneDictionaryParams,
     body: Body,
     others: Sequence[Motion],
+    parts: TrainedParts | None = None,
 ) -> FillResult:
     """Fill gaps without a word on the errors; see `punch_errors.BareFill`.
 
@@ -136,6 +155,8 @@ def fill_bare(
         The bones.
     others : sequence of Motion
         The training set.
+    parts : TrainedParts, optional
+        Its trained dictionaries, which are used instead where they are given.
 
     Returns
     -------
@@ -143,10 +164,13 @@ def fill_bare(
     """
     exact = params.keep_bones and body.exact
     asked = joined_by_bones(observed, gaps, body) if exact else list(gaps)
-    atoms = params.atoms or (ATOMS_TRAINED if others else ATOMS_ALONE)
-    codes = CodeSettings(atoms, 2 * atoms, params.penalty)
-    way = Way(params.window_ms, rows="bones", heading=True, parts=False, codes=codes)
-    said = tell_gaps(recording, observed, asked, way, body, others, params, progress)
+    if parts is not None:
+        said = parts.tell(recording, observed, asked, params, progress)
+    else:
+        atoms = params.atoms or (ATOMS_TRAINED if others else ATOMS_ALONE)
+        codes = CodeSettings(atoms, 2 * atoms, params.penalty)
+        way = Way(params.window_ms, rows="bones", heading=True, parts=False, codes=codes)
+        said = tell_gaps(recording, observed, asked, way, body, others, params, progress)
     filled = meet_edges(recording, observed, asked, said, params, FADE_S)
     if params.keep_bones:
         filled = (projected if exact else pulled)(recording, observed, filled, body)

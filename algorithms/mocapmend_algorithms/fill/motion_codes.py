@@ -82,7 +82,7 @@ def read_motions(path: str, recording: Recording, body: Body) -> list[Motion]:
     training = read_training_set(Path(path))
     places = training.places_of(recording.labels)
     motions = []
-    for motion in training.motions(recording.up):
+    for motion in training.motions(recording.up, recording.rate):
         points = np.full((len(motion), recording.markers, 3), np.nan)
         points[:, places] = motion
         if body.exact:

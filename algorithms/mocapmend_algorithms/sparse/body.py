@@ -16,7 +16,7 @@ rigid pairs beside it, and the tree's branches for the parts.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -130,6 +130,12 @@ def find_body(recording: Recording, seen: BoolArray) -> Body:
     if all(names.count(name) == 1 for name in wanted):
         return _joints(recording, names)
     return _found(recording)
+
+
+def with_own_lengths(body: Body, recording: Recording) -> Body:
+    """Return the same bones with the lengths that another recording of the same markers has."""
+    lengths, spreads = _measure(recording, body.bones)
+    return replace(body, lengths=lengths, spreads=spreads)
 
 
 def _joints(recording: Recording, names: Sequence[str]) -> Body:

@@ -11,17 +11,19 @@ does not state. Its anchors (joint 14 of the arms) are taken relative to the roo
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.progress import Progress, part
-from mocapmend_algorithms.sparse.body import Body
+from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.sparse.body import Body, find_body
 from mocapmend_algorithms.sparse.bone_codes import Problem, encode_bones
 from mocapmend_algorithms.sparse.bone_space import signed_roots, signed_squares, with_lengths
 from mocapmend_algorithms.sparse.rows import Rows
 from mocapmend_algorithms.sparse.training import Trained, begin, train
+from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError
 from mocapmend_algorithms.sparse.windows import Span
 
 SPAN = Span.over(6, 0)
@@ -306,6 +308,95 @@ def _masks(rows: PartRows, body: Body, windows: int, random: np.random.Generator
                 hidden.append(int(random.choice(beside)))
         seen[:, column] = ~np.isin(rows.pairs, hidden).any(axis=1)
     return np.tile(seen, (len(SPAN.offsets), 1))
+
+
+def train_parts(training: TrainingSet, settings: PartSettings, progress: Progress) -> TrainingSet:
+    """Train the dictionaries of all parts on a training set, and put them into it.
+
+    Parameters
+    ----------
+    training : TrainingSet
+        Of a skeleton. Dictionaries that it has already with the same settings are kept, so that
+        a training that was broken off goes on.
+    settings : PartSettings
+        How.
+    progress : Progress
+        Called often.
+
+    Returns
+    -------
+    TrainingSet
+        With `part 0`, ... among its atoms, and the settings and the objectives after each round.
+
+    Raises
+    ------
+    TrainingSetError
+        If its bones do not keep their lengths exactly, as those between markers on skin, or its
+        parts are too short for a window.
+    """
+    body = body_of(training)
+    motions = _long_enough(training)
+    same = training.settings.get("parts") == asdict(settings)
+    atoms = dict(training.atoms) if same else {}
+    objectives = dict(training.settings.get("objectives", {})) if same else {}
+    for at in range(len(body.parts)):
+        name = f"part {at}"
+        if name not in atoms:
+            share = part(progress, at / len(body.parts), (at + 1) / len(body.parts))
+            state, _ = train_part(motions, body, at, settings, share)
+            atoms[name], objectives[name] = state.dictionary, list(state.objectives)
+    progress(1.0)
+    told = {"parts": asdict(settings), "objectives": objectives}
+    return replace(training, atoms=atoms, settings={**training.settings, **told})
+
+
+def parts_of(training: TrainingSet) -> dict[int, PartDictionary]:
+    """Return the trained dictionaries of a training set.
+
+    Raises
+    ------
+    TrainingSetError
+        If it has none, or not for all parts of its skeleton.
+    """
+    body, motions = body_of(training), _long_enough(training)
+    parts = {}
+    for at in range(len(body.parts)):
+        atoms = training.atoms.get(f"part {at}")
+        rows, away, scale = _training_rows(motions, body, at)
+        if atoms is None or atoms.shape[0] != away.shape[0]:
+            raise TrainingSetError("the training set has no trained dictionaries of all parts")
+        parts[at] = _part_dictionary(rows, atoms, away, scale)
+    return parts
+
+
+def body_of(training: TrainingSet) -> Body:
+    """Return the bones of a training set.
+
+    Raises
+    ------
+    TrainingSetError
+        If they do not keep their lengths exactly.
+    """
+    labels, rate = training.labels, training.rate
+    lengths = [len(motion) for motion in training.motions(training.up)]
+    first = training.poses[: lengths[0]]
+    recording = Recording(first, labels, rate, "mm", training.up)
+    body = find_body(recording, recording.present)
+    if not body.exact or np.count_nonzero(body.parents < 0) != 1:
+        raise TrainingSetError(
+            "dictionaries with bones are trained on skeletons, whose bones keep their lengths; "
+            "these are markers on skin"
+        )
+    return body
+
+
+def _long_enough(training: TrainingSet) -> list[FloatArray]:
+    motions = [m for m in training.motions(training.up) if len(m) >= SPAN.reach]
+    if not motions:
+        raise TrainingSetError(
+            f"no unbroken part of the training set has the {SPAN.reach} frames of a window"
+        )
+    return motions
 
 
 def recover(

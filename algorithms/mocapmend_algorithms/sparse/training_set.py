@@ -70,16 +70,19 @@ class TrainingSet:
     atoms: Mapping[str, FloatArray] = field(default_factory=dict)
     settings: Mapping[str, Any] = field(default_factory=dict)
 
-    def motions(self, up: UpAxis) -> list[FloatArray]:
+    def motions(self, up: UpAxis, rate: float | None = None) -> list[FloatArray]:
         """Return the frames of each recording, shape (frames, markers, 3), in mm.
 
         Parameters
         ----------
         up : str
             The axis that is to point up; where the set has another, all is turned.
+        rate : float, optional
+            Frames per second (Hz); by default those of the set.
         """
         turned = self.poses @ _turn(self.up, up).T
-        return np.split(turned, np.cumsum(self.lengths)[:-1])
+        motions = np.split(turned, np.cumsum(self.lengths)[:-1])
+        return [_sampled(motion, self.rate, rate or self.rate) for motion in motions]
 
     def places_of(self, labels: Sequence[str]) -> IntArray:
         """Find the markers of a recording in this set.

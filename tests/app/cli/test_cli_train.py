@@ -230,13 +230,13 @@ def test_a_training_set_in_the_folder_is_replaced_and_not_learned(
 
 def test_a_training_from_nothing_is_refused() -> None:
     with pytest.raises(MocapmendError, match="no recording to learn from"):
-        engine.train_sparse([], "", (), None, no_progress)
+        engine.train_sparse([], "", (), None, None, no_progress)
 
 
 def test_progress_reaches_the_end() -> None:
     shares: list[float] = []
     recording = Recording(np.ones((4, 1, 3)), ("A",), 100.0)
-    assert engine.train_sparse([recording], "one", (), None, shares.append).about == "one"
+    assert engine.train_sparse([recording], "one", (), None, None, shares.append).about == "one"
     assert shares == sorted(shares)
     assert shares[-1] == 1
 

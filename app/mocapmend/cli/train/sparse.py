@@ -19,6 +19,7 @@ from mocapmend.cli.console import Console
 from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, Source, read_recording, same_file
 from mocapmend.files.atomic import write_atomically, writer_of
+from mocapmend_algorithms.sparse.part_codes import PartSettings
 from mocapmend_algorithms.sparse.training_set import (
     TrainingSet,
     TrainingSetError,
@@ -30,6 +31,8 @@ SUFFIX = ".npz"
 SKELETON = ".asf"
 """Holds no motion of its own."""
 MOST_NAMES = 5
+ROUNDS = 10
+MOST_ATOMS = 10_000
 RATES = (1e-3, 1e6)
 """Hz that can be meant."""
 
@@ -71,6 +74,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "the recordings)",
     )
     parser.add_argument(
+        "--atoms",
+        type=_count,
+        default=0,
+        metavar="N",
+        help="also train dictionaries of so many atoms for the five parts of a skeleton, for "
+        "--param dictionary=trained (default: none; the paper has 1000)",
+    )
+    parser.add_argument(
+        "--rounds",
+        type=_count,
+        default=ROUNDS,
+        metavar="N",
+        help="of that training at most (default: %(default)s)",
+    )
+    parser.add_argument(
         "--about", metavar="TEXT", help="what the set is of (default: the names of the files)"
     )
 
@@ -94,6 +112,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         about,
         [label.strip() for word in arguments.markers for label in word.split(",")],
         arguments.rate,
+        PartSettings(arguments.atoms, arguments.rounds) if arguments.atoms else None,
         console.progress,
     )
     _write(made, out)
@@ -116,6 +135,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         rate_hz=made.rate,
         up_axis=made.up,
         markers=list(made.labels),
+        atoms=max((atoms.shape[1] for atoms in made.atoms.values()), default=0),
         seconds=seconds,
     )
     console.say(f"Training set: {out}")
@@ -125,6 +145,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         f"{made.rate:g} Hz, {len(made.poses) / made.rate:.2f} s"
     )
     console.say(f"Markers:      {len(made.labels)}")
+    for name, atoms in made.atoms.items():
+        console.say(f"Dictionary:   {name}, {atoms.shape[1]} atoms")
     return 0
 
 
@@ -144,6 +166,16 @@ def _rate(text: str) -> float:
     if not RATES[0] <= rate <= RATES[1]:
         raise argparse.ArgumentTypeError(f"{text!r} is not a frame rate in Hz")
     return rate
+
+
+def _count(text: str) -> int:
+    try:
+        number = int(text)
+    except ValueError:
+        number = -1
+    if not 0 <= number <= MOST_ATOMS:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 0 to {MOST_ATOMS}")
+    return number
 
 
 def _listed(motion: list[Path]) -> dict[Path, bool]:
