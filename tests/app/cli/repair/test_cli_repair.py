@@ -31,13 +31,23 @@ def slots(path: Path) -> np.ndarray:
 # --- what is written -----------------------------------------------------------------------------
 
 
+QUICK = {
+    "bone-dictionary": ["--param", "atoms=20"],
+    "smbs": ["--param", "atoms=20"],
+    "pose-code": ["--param", "poses=50"],
+    "tsmc": ["--param", "around_s=1"],
+}
+"""Parameters that make slow methods quick."""
+
+
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("limit", [[], ["--max-error", "inf"]])
 def test_repair_changes_what_it_says_and_check_proves_it(
     run_json: Json, samples: Path, out: Path, method: str, limit: list[str]
 ) -> None:
     source = samples / "gait_plug_in_gait.c3d"
-    code, done = run_json("repair", source, "-o", out, "--method", method, *limit)
+    quick = QUICK.get(method, [])
+    code, done = run_json("repair", source, "-o", out, "--method", method, *quick, *limit)
     assert code == 0
     assert done["method"] == method
     recording = read_c3d(source).recording
