@@ -41,7 +41,6 @@ def test_without_further_examples_the_lost_rows_of_the_atoms_are_their_own():
     model = CodeModel(known, lost, settings, no_progress)
     # Nothing but an atom itself is sparse and like it.
     np.testing.assert_allclose(model(known, no_progress), lost, atol=0.05)
-    assert model.left_over.shape == (0, LOST)
 
 
 def test_fitted_lost_rows_undo_that_the_penalty_pulls_to_the_mean():
@@ -49,13 +48,6 @@ def test_fitted_lost_rows_undo_that_the_penalty_pulls_to_the_mean():
     own = replace(OWN_ROWS, atoms=40, penalty=0.3)
     fitted = replace(own, examples=1000)
     assert error(fitted, *case) < 0.6 * error(own, *case)
-
-
-def test_what_is_left_over_is_what_further_examples_are_missed_by():
-    known, lost = motions(EXAMPLES)
-    model = CodeModel(known, lost, GUIDED, no_progress)
-    told = model(known[1::2], no_progress)
-    np.testing.assert_allclose(told + model.left_over, lost[1::2], atol=1e-9)
 
 
 def test_guided_is_not_led_astray_by_rows_that_say_nothing():

@@ -55,18 +55,6 @@ class Problem:
     penalty: float
     bone_weight: float
 
-    def some(self, columns: slice | BoolArray) -> "Problem":
-        """Return some of the columns."""
-        return Problem(
-            self.targets[:, columns],
-            self.seen[:, columns],
-            self.signs[:, columns],
-            self.squares[:, columns],
-            self.held[:, columns],
-            self.penalty,
-            self.bone_weight,
-        )
-
     def smooth(self, image: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the smooth part of the objective and its slope.
 

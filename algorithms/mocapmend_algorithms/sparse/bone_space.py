@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.sparse.body import Body
 
 
@@ -113,13 +113,6 @@ def chain(away: FloatArray, points: FloatArray, body: Body) -> FloatArray:
         child, parent = edges[at]
         result[:, child] = result[:, parent] + away[:, at]
     return result
-
-
-def edge_lengths(points: FloatArray, edges: IntArray) -> FloatArray:
-    """Return the median length of each bone over the frames that show both its ends."""
-    away = np.linalg.norm(points[:, edges[:, 0]] - points[:, edges[:, 1]], axis=2)
-    lengths: FloatArray = np.nanmedian(away, axis=0)
-    return lengths
 
 
 def signed_squares(values: FloatArray) -> FloatArray:

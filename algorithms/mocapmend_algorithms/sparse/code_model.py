@@ -60,11 +60,6 @@ class CodeModel:
         How.
     progress : Progress
         Called often.
-
-    Attributes
-    ----------
-    left_over : ndarray, shape (further examples, lost rows)
-        What the examples that are no atoms are missed by.
     """
 
     def __init__(
@@ -80,7 +75,6 @@ class CodeModel:
         size[size == 0] = 1.0
         self._coder = Coder.of((coordinates / size[:, None]).T)
         self._lost = ((lost[atoms] - self._mean) / size[:, None]).T
-        self.left_over = np.zeros((0, lost.shape[1]))
         if others.size:
             codes = self._encode(known[others], progress)
             wanted = (lost[others] - self._mean).T
@@ -88,7 +82,6 @@ class CodeModel:
             gram[np.diag_indices_from(gram)] += REFIT * np.trace(gram) / len(gram) + 1e-12
             missed = (wanted - self._lost @ codes) @ codes.T
             self._lost = self._lost + np.linalg.solve(gram, missed.T).T
-            self.left_over = (wanted - self._lost @ codes).T
 
     def __call__(self, known: FloatArray, progress: Progress) -> FloatArray:
         """Predict the lost rows, shape (columns, lost rows)."""

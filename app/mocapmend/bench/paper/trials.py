@@ -11,12 +11,13 @@ from mocapmend.files import read_recording
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.sparse.body import PARTS, Body, find_body
-from mocapmend_algorithms.sparse.bone_space import chain, signed_roots, signed_squares
+from mocapmend_algorithms.sparse.bone_space import preprocess, restore
 
 FOLDER = "cmu_joints"
 SNR_DB = 60.0
 LOST_SHARE = 0.4
 SEED = 9
+MM_PER_CM = 10.0
 
 
 @dataclass(frozen=True)
@@ -186,7 +187,7 @@ def _joints(path: Path) -> Recording:
             str(path),
             "Give one of those that the folder cmu_joints has.",
         )
-    points = recording.points[:, [names.index(name) for name in wanted]] * recording.mm / 10
+    points = recording.points[:, [names.index(name) for name in wanted]] * recording.mm / MM_PER_CM
     return replace(recording, points=points, labels=tuple(wanted), unit="cm")
 
 
@@ -220,11 +221,11 @@ def with_noise(points: FloatArray, body: Body) -> FloatArray:
     coordinates here. A component near zero moves by the root of its noise: half a centimetre in
     the mean.
     """
-    edges = body.edges
-    squares = signed_squares(points[:, edges[:, 0]] - points[:, edges[:, 1]])
+    processed = preprocess(points * MM_PER_CM, body, body.edge_lengths)
+    squares = processed.squares
     noise = np.random.default_rng(SEED).normal(size=squares.shape)
     size = np.sqrt(np.mean(squares**2) / np.mean(noise**2)) * 10 ** (-SNR_DB / 20)
-    return chain(signed_roots(squares + size * noise), points, body)
+    return restore(replace(processed, squares=squares + size * noise), body) / MM_PER_CM
 
 
 def rmse(case: Case, found: FloatArray) -> float:
@@ -267,8 +268,7 @@ def _lengths(points: FloatArray, edges: IntArray) -> FloatArray:
 
 def spectrum(points: FloatArray, body: Body, most: int) -> tuple[Sequence[float], Sequence[float]]:
     """Return the first normalised singular values of coordinates X and of F2 (W18, figure 3)."""
-    edges = body.edges
-    squares = signed_squares(points[:, edges[:, 0]] - points[:, edges[:, 1]])
+    squares = preprocess(points * MM_PER_CM, body, body.edge_lengths).squares
     both = []
     for rows in (points, squares):
         values = np.linalg.svd(rows.reshape(len(rows), -1), compute_uv=False)
