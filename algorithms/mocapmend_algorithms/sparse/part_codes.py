@@ -426,7 +426,7 @@ def recover(
     ndarray, shape (frames, markers, 3)
         NaN where a frame lies in no window, or shows no marker.
     """
-    edges, own = body.edges, body.edge_lengths
+    edges = body.edges
     found = points[:, edges[:, 0]] - points[:, edges[:, 1]]
     shown = seen[:, edges[:, 0]] & seen[:, edges[:, 1]]
     found[~shown] = np.nan
@@ -439,9 +439,8 @@ def recover(
         if not places.size:
             continue
         rows = dictionary.rows
-        stretch = np.ones(len(rows.pairs))
         of = _edge_of(edges, rows.pairs)
-        stretch[of >= 0] = rows.standard[of >= 0] / own[of[of >= 0]]
+        stretch = _stretch(rows, of, body)
         here = rows.seen(seen, places)
         away = rows.differences(np.where(seen[..., None], points, 0.0), places)
         away *= np.tile(np.repeat(stretch, 3), len(SPAN.offsets))[:, None]
@@ -460,6 +459,23 @@ def _edge_of(edges: IntArray, pairs: IntArray) -> IntArray:
     same = (pairs[:, None] == edges[None]).all(axis=2)
     of: IntArray = np.where(same.any(axis=1), same.argmax(axis=1), -1)
     return of
+
+
+def _stretch(rows: PartRows, of: IntArray, body: Body) -> FloatArray:
+    """Return by what pairs of a body become standard; anchors as all bones on their way do."""
+    own, bone = body.edge_lengths, of >= 0
+    standard = np.zeros_like(own)
+    standard[of[bone]] = rows.standard[bone]
+    stretch = np.ones(of.size)
+    stretch[bone] = rows.standard[bone] / own[of[bone]]
+    children = body.edges[:, 0].tolist()
+    for pair in np.flatnonzero(~bone).tolist():
+        marker, way = int(rows.pairs[pair, 0]), []
+        while body.parents[marker] >= 0:
+            way.append(children.index(marker))
+            marker = int(body.parents[marker])
+        stretch[pair] = standard[way].sum() / own[way].sum()
+    return stretch
 
 
 def _placed(points: FloatArray, seen: BoolArray, body: Body, away: FloatArray) -> FloatArray:
