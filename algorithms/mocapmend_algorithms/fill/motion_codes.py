@@ -91,6 +91,12 @@ def read_motions(path: str, recording: Recording, body: Body) -> list[Motion]:
     return motions
 
 
+def window_span(recording: Recording, window_ms: float) -> Span:
+    """Spread the frames of a window over a time, less in a recording that is short."""
+    length = round(window_ms / 1000 * recording.rate)
+    return Span.over(FRAMES, min(length, recording.frames // SHORT_RECORDING))
+
+
 def tell_gaps(
     recording: Recording,
     observed: BoolArray,
@@ -151,8 +157,7 @@ class _Teller:
         self._own = Motion(recording.points * recording.mm, observed)
         self._recording, self._observed = recording, observed
         self._way, self._body, self._others = way, body, others
-        length = round(way.window_ms / 1000 * recording.rate)
-        self._span = Span.over(FRAMES, min(length, recording.frames // SHORT_RECORDING))
+        self._span = window_span(recording, way.window_ms)
         self._shortest = max(2, round(SHORTEST_PIECE_S * recording.rate))
         self._recoveries: dict[tuple[bytes, bytes], Recovery] = {}
         self._answers: dict[tuple[int, int, int], FloatArray] = {}
