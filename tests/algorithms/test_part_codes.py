@@ -191,13 +191,13 @@ def test_masks_hide_three_or_six_neighbours_in_two_fifths_of_the_windows(walk, a
     touched = ~frames[0].all(axis=0)
     assert abs(touched.mean() - LOST_SHARE) < 0.04
     inside = np.unique(rows.pairs)
-    counts = set()
-    for column in np.flatnonzero(touched)[:100]:
+    counts = []
+    for column in np.flatnonzero(touched)[:300]:
         gone = rows.pairs[~frames[0][:, column]]
         # Whoever is in no pair that is seen is hidden; the hidden ones hang together by bones.
         shown = np.unique(rows.pairs[frames[0][:, column]])
         hidden = np.setdiff1d(inside, shown)
-        counts.add(hidden.size)
+        counts.append(hidden.size)
         reached, before = {int(np.bincount(gone.ravel()).argmax())}, 0
         while len(reached) != before:
             before = len(reached)
@@ -209,8 +209,10 @@ def test_masks_hide_three_or_six_neighbours_in_two_fifths_of_the_windows(walk, a
                 if marker in hidden
             }
         assert reached >= set(hidden.tolist())
-    assert {3, 6} <= counts
-    assert not touched.all()
+    # A marker whose neighbours are all hidden counts too: there may be more, but not fewer.
+    assert min(counts) == 3
+    assert 0.4 < np.mean(np.array(counts) >= 6) < 0.7
+    assert np.mean(np.isin(counts, [3, 6])) > 0.4
 
 
 # --- recovery --------------------------------------------------------------------------------
@@ -257,7 +259,7 @@ def test_a_body_of_another_size_gets_its_own_lengths(walk, dictionaries, region)
     root = points[:, [0]]
     assert NAMES[0] == "root"
     # Rounding takes the steps of the codes elsewhere, by a few mm.
-    np.testing.assert_allclose(found - root, 1.5 * (small - root), atol=10)
+    assert error(1.5 * (small - root), found - root, seen) < 10
 
 
 def test_frames_without_any_marker_stay_open(walk, dictionaries):

@@ -7,6 +7,8 @@ import hashlib
 import json
 import sys
 import time
+import zipfile
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,6 +30,11 @@ from mocapmend_algorithms.sparse.part_codes import (
 )
 
 FORMAT = 1
+DAMAGED = (
+    OSError, EOFError, ValueError, TypeError, AttributeError, LookupError, RuntimeError,
+    zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
+"""What comes of a file whose content is not what it should be."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,12 +112,14 @@ def _read(path: Path, motions: list[FloatArray], body: Body) -> TrainedParts | N
         with path.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
             head = json.loads(str(archive["head"]))
             atoms = {at: archive[f"part {at}"] for at in range(len(body.parts))}
-    except (OSError, ValueError, KeyError):
+            objectives = {int(at): tuple(values) for at, values in head["objectives"].items()}
+            seconds, memory_mb = float(head["seconds"]), float(head["memory_mb"])
+    except DAMAGED:
         return None
     return TrainedParts(
         {at: assemble_part(motions, body, at, part) for at, part in atoms.items()},
-        {int(at): tuple(values) for at, values in head["objectives"].items()},
+        objectives,
         sum(len(motion) for motion in motions),
-        float(head["seconds"]),
-        float(head["memory_mb"]),
+        seconds,
+        memory_mb,
     )

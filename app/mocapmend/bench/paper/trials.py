@@ -18,6 +18,8 @@ SNR_DB = 60.0
 LOST_SHARE = 0.4
 SEED = 9
 MM_PER_CM = 10.0
+LEAST_FRAMES = 50
+"""Of a recording: windows take up to 41."""
 
 
 @dataclass(frozen=True)
@@ -142,7 +144,8 @@ def read_trials(motion: str, folder: Path, test: Path | None, *, validate: bool)
     Raises
     ------
     MocapmendError
-        If a file cannot be read, or is not of the 31 joints.
+        If a file cannot be read, is not of the 31 joints, or is too short, or if nothing is left
+        to learn from.
     """
     if motion == "punch" and test is None:
         return _pieces(folder, validate=validate)
@@ -150,6 +153,12 @@ def read_trials(motion: str, folder: Path, test: Path | None, *, validate: bool)
     tests = known.validation if validate else known.tests
     aside = {*tests, *(known.tests if validate else ())} if test is None else {test.stem}
     teachers = tuple(read_joints(folder, name) for name in known.trials if name not in aside)
+    if not teachers:
+        raise MocapmendError(
+            f"No other trial of the motion {motion} is there to learn from.",
+            str(test),
+            "Give a recording that is not among the shared ones.",
+        )
     if test is not None:
         return [Trial(motion, test.stem, _joints(test), teachers)]
     return [Trial(motion, name, read_joints(folder, name), teachers) for name in tests]
@@ -186,6 +195,12 @@ def _joints(path: Path) -> Recording:
             "This is not a complete recording of the 31 joints of the CMU skeleton.",
             str(path),
             "Give one of those that the folder cmu_joints has.",
+        )
+    if recording.frames < LEAST_FRAMES:
+        raise MocapmendError(
+            f"This recording is too short: it has {recording.frames} frames.",
+            str(path),
+            f"Give one of at least {LEAST_FRAMES} frames.",
         )
     points = recording.points[:, [names.index(name) for name in wanted]] * recording.mm / MM_PER_CM
     return replace(recording, points=points, labels=tuple(wanted), unit="cm")
