@@ -321,7 +321,7 @@ def test_noise_has_60_db_on_the_signed_squares() -> None:
     ratio = np.mean(squares**2) / np.mean((other - squares) ** 2)
     assert 10 * np.log10(ratio) == pytest.approx(60, abs=0.01)
     roots = body.parents < 0
-    np.testing.assert_array_equal(noisy[:, roots], walk.points[:, roots])
+    np.testing.assert_allclose(noisy[:, roots], walk.points[:, roots], rtol=1e-12)
     np.testing.assert_array_equal(with_noise(walk.points, body), noisy)
 
 
