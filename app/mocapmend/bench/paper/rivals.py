@@ -1,5 +1,6 @@
 """The methods that `bench paper` compares, each as a function from a case to places."""
 
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
@@ -15,8 +16,10 @@ from mocapmend_algorithms.fill.motion_codes import window_span
 from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
 from mocapmend_algorithms.sparse import part_codes
 from mocapmend_algorithms.sparse.bone_space import with_lengths
+from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion, View, choose_places, reference_pose
 from mocapmend_algorithms.sparse.part_codes import PartDictionary
+from mocapmend_algorithms.sparse.recovery import Recovery
 from mocapmend_algorithms.sparse.rows import Rows
 
 Find = Callable[[Case], FloatArray]
@@ -94,6 +97,31 @@ def by_bones(params: bone_dictionary.BoneDictionaryParams) -> Find:
             others=teachers(case),
         ),
     )
+
+
+def speed_of_bones(case: Case) -> tuple[float, float]:
+    """Return the seconds that the best setting of W18 takes to learn, and to recover a case.
+
+    It learns once for each set of missing markers.
+    """
+    recording = case.recording
+    own = Motion(recording.points * recording.mm, recording.present)
+    helpers = np.setdiff1d(np.arange(recording.markers), case.lost)
+    atoms = bone_dictionary.ATOMS_TRAINED
+    others = teachers(case)
+    began = time.perf_counter()
+    recovery = Recovery(
+        own,
+        others,
+        Rows.along_bones(case.body, helpers, case.lost),
+        window_span(recording, BEST_MS),
+        recording.up,
+        CodeSettings(atoms, 2 * atoms, bone_dictionary.BoneDictionaryParams().penalty),
+        no_progress,
+    )
+    learned = time.perf_counter()
+    recovery.ask(case.start - 1, case.stop + 1, no_progress)
+    return learned - began, time.perf_counter() - learned
 
 
 def by_smbs(params: smbs.SmbsParams) -> Find:
