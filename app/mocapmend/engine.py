@@ -3,7 +3,7 @@
 Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -35,7 +35,7 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
-from mocapmend_algorithms.sparse.part_codes import PartSettings, train_parts
+from mocapmend_algorithms.sparse.part_codes import PartSettings, going_on, train_parts
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
 from mocapmend_resources import skeletons
 
@@ -129,6 +129,8 @@ def train_sparse(
     rate: float | None,
     parts: PartSettings | None,
     progress: Progress,
+    earlier: TrainingSet | None = None,
+    keep: Callable[[TrainingSet], None] = lambda _: None,
 ) -> TrainingSet:
     """Make a training set for the sparse methods.
 
@@ -146,6 +148,10 @@ def train_sparse(
         How the dictionaries of a skeleton's parts are trained; none by default.
     progress : Progress
         Called often; may cancel.
+    earlier : TrainingSet, optional
+        Of a training that was broken off: what it has of the same motion is kept.
+    keep : callable, optional
+        Gets what is done after each part.
 
     Raises
     ------
@@ -156,7 +162,7 @@ def train_sparse(
     try:
         made = gather(recordings, about, common_rate, markers)
         if parts is not None:
-            made = train_parts(made, parts, progress)
+            made = train_parts(going_on(made, earlier), parts, progress, keep)
     except TrainingSetError as error:
         todo = "Choose other recordings, or name the markers to learn."
         raise training.complaint(error, "", todo) from error

@@ -10,7 +10,7 @@ Each part's rows are scaled to unit mean square (lambda1 = 1e-4 presumes scaled 
 does not state. Its anchors (joint 14 of the arms) are taken relative to the root.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
@@ -310,7 +310,12 @@ def _masks(rows: PartRows, body: Body, windows: int, random: np.random.Generator
     return np.tile(seen, (len(SPAN.offsets), 1))
 
 
-def train_parts(training: TrainingSet, settings: PartSettings, progress: Progress) -> TrainingSet:
+def train_parts(
+    training: TrainingSet,
+    settings: PartSettings,
+    progress: Progress,
+    keep: Callable[[TrainingSet], None] = lambda _: None,
+) -> TrainingSet:
     """Train the dictionaries of all parts on a training set, and put them into it.
 
     Parameters
@@ -322,6 +327,8 @@ def train_parts(training: TrainingSet, settings: PartSettings, progress: Progres
         How.
     progress : Progress
         Called often.
+    keep : callable, optional
+        Gets the training set after each part, to keep what is done.
 
     Returns
     -------
@@ -336,18 +343,34 @@ def train_parts(training: TrainingSet, settings: PartSettings, progress: Progres
     """
     body = body_of(training)
     motions = _long_enough(training)
-    same = training.settings.get("parts") == asdict(settings)
-    atoms = dict(training.atoms) if same else {}
-    objectives = dict(training.settings.get("objectives", {})) if same else {}
+    if training.settings.get("parts") != asdict(settings):
+        training = replace(training, atoms={}, settings={"parts": asdict(settings)})
     for at in range(len(body.parts)):
         name = f"part {at}"
-        if name not in atoms:
+        if name not in training.atoms:
             share = part(progress, at / len(body.parts), (at + 1) / len(body.parts))
             state, _ = train_part(motions, body, at, settings, share)
-            atoms[name], objectives[name] = state.dictionary, list(state.objectives)
+            objectives = {**training.settings.get("objectives", {}), name: list(state.objectives)}
+            training = replace(
+                training,
+                atoms={**training.atoms, name: state.dictionary},
+                settings={**training.settings, "objectives": objectives},
+            )
+            keep(training)
     progress(1.0)
-    told = {"parts": asdict(settings), "objectives": objectives}
-    return replace(training, atoms=atoms, settings={**training.settings, **told})
+    return training
+
+
+def going_on(training: TrainingSet, earlier: TrainingSet | None) -> TrainingSet:
+    """Take over the dictionaries of an earlier set of the same motion; those of another are not."""
+    if (
+        earlier is None
+        or earlier.labels != training.labels
+        or earlier.lengths != training.lengths
+        or not np.array_equal(earlier.poses, training.poses.astype(np.float32))
+    ):
+        return training
+    return replace(training, atoms=earlier.atoms, settings=earlier.settings)
 
 
 def parts_of(training: TrainingSet) -> dict[int, PartDictionary]:

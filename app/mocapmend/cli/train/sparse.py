@@ -89,6 +89,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="of that training at most (default: %(default)s)",
     )
     parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="go on with the training of dictionaries that was broken off: what FILE.npz has of "
+        "the same motion and settings is kept",
+    )
+    parser.add_argument(
         "--about", metavar="TEXT", help="what the set is of (default: the names of the files)"
     )
 
@@ -101,7 +107,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         raise MocapmendError(
             f"The name of a training set ends with {SUFFIX}.", str(out), "Choose another name."
         )
-    target.check_place(out, overwrite=arguments.overwrite)
+    target.check_place(out, overwrite=arguments.overwrite or arguments.resume)
+    earlier = _earlier(out) if arguments.resume else None
     read = _read(_without(_listed(arguments.motion), out), console)
     names = ", ".join(source.path.name for source in read.sources[:MOST_NAMES])
     more = len(read.sources) - MOST_NAMES
@@ -114,6 +121,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         arguments.rate,
         PartSettings(arguments.atoms, arguments.rounds) if arguments.atoms else None,
         console.progress,
+        earlier,
+        lambda done: _write(done, out),
     )
     _write(made, out)
     seconds = time.perf_counter() - start
@@ -166,6 +175,14 @@ def _rate(text: str) -> float:
     if not RATES[0] <= rate <= RATES[1]:
         raise argparse.ArgumentTypeError(f"{text!r} is not a frame rate in Hz")
     return rate
+
+
+def _earlier(out: Path) -> TrainingSet | None:
+    """Read what an earlier training has left; there may be nothing."""
+    try:
+        return read_training_set(out) if out.exists() else None
+    except TrainingSetError as error:
+        raise training.complaint(error, str(out), "Leave out --resume.") from error
 
 
 def _count(text: str) -> int:
