@@ -264,19 +264,25 @@ def rivals(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> list
         ),
         Rival("auto", {"default": by_method("auto")}, "default"),
         Rival(
-            "TSMC",
+            "TSMC, plain",
             {
-                "plain": by_method(
+                "threshold 0.003 %": by_method(
                     "tsmc",
                     weight_scale_mm="10000",
                     missing_weight="1",
                     meet_edges="false",
                     around_s="600",
                 ),
-                "weighted": by_method("tsmc"),
-                "weighted, threshold 0.03 %": by_method("tsmc", threshold="0.03"),
             },
-            "weighted",
+            "threshold 0.003 %",
+        ),
+        Rival(
+            "TSMC",
+            {
+                f"threshold {t} %": by_method("tsmc", threshold=t)
+                for t in ("0.001", "0.003", "0.03")
+            },
+            "threshold 0.003 %",
         ),
         Rival(
             "SMBS",
