@@ -35,7 +35,8 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
-from mocapmend_algorithms.sparse.part_codes import PartSettings, going_on, train_parts
+from mocapmend_algorithms.sparse.part_sets import going_on, train_parts
+from mocapmend_algorithms.sparse.part_training import PartSettings
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
 from mocapmend_resources import skeletons
 

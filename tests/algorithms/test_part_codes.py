@@ -9,17 +9,16 @@ from joint_samples import NAMES, walker
 from mocapmend_algorithms import Cancelled, no_progress
 from mocapmend_algorithms.sparse.body import TRIPLES, find_body
 from mocapmend_algorithms.sparse.bone_space import with_lengths
-from mocapmend_algorithms.sparse.part_codes import (
+from mocapmend_algorithms.sparse.part_codes import recover
+from mocapmend_algorithms.sparse.part_rows import SPAN, PartRows
+from mocapmend_algorithms.sparse.part_training import (
     LOST_SHARE,
-    SPAN,
-    PartRows,
     PartSettings,
     assemble_part,
-    recover,
     standard_lengths,
     train_part,
 )
-from mocapmend_algorithms.sparse.part_codes import _masks as masks
+from mocapmend_algorithms.sparse.part_training import _masks as masks
 
 SETTINGS = PartSettings(atoms=60, rounds=3)
 FRAMES, LEARNED = 260, 200

@@ -10,7 +10,9 @@ from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import Body, with_own_lengths
-from mocapmend_algorithms.sparse.part_codes import PartDictionary, body_of, parts_of, recover
+from mocapmend_algorithms.sparse.part_codes import recover
+from mocapmend_algorithms.sparse.part_rows import PartDictionary
+from mocapmend_algorithms.sparse.part_sets import body_of, parts_of
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from mocapmend.bench import main
-from mocapmend.bench.paper import command, rivals, trained, trials
+from mocapmend.bench.paper import command, rivals, tables, trained, trials
 from mocapmend.bench.paper.trials import (
     REGIONS,
     MotionSet,
@@ -30,7 +30,7 @@ from mocapmend.errors import MocapmendError
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.sparse.body import PARTS, find_body
 from mocapmend_algorithms.sparse.bone_space import signed_squares
-from mocapmend_algorithms.sparse.part_codes import PartSettings
+from mocapmend_algorithms.sparse.part_training import PartSettings
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "algorithms"))
 from joint_samples import walker
@@ -119,7 +119,7 @@ def few(monkeypatch: pytest.MonkeyPatch) -> None:
         ]
 
     monkeypatch.setattr(rivals, "rivals", some)
-    monkeypatch.setattr(command, "RATES", (0.2, 0.5))
+    monkeypatch.setattr(tables, "RATES", (0.2, 0.5))
     fewer = {points: dict(list(places.items())[1:3]) for points, places in REGIONS.items()}
     monkeypatch.setattr(trials, "REGIONS", fewer)
 

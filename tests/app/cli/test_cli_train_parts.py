@@ -12,7 +12,7 @@ from mocapmend.cli import main
 from mocapmend.errors import MocapmendError
 from mocapmend.files import read_recording
 from mocapmend_algorithms import find_gaps
-from mocapmend_algorithms.sparse import part_codes
+from mocapmend_algorithms.sparse import part_sets
 from mocapmend_algorithms.sparse.training_set import read_training_set
 from mocapmend_resources import training as shipped
 
@@ -54,7 +54,7 @@ def test_a_training_that_was_broken_off_goes_on(
 ) -> None:
     path, whole, broken = skeleton(tmp_path / "run.npz"), tmp_path / "a.npz", tmp_path / "b.npz"
     assert train("--motion", path, "-o", whole) == 0
-    real, parts = part_codes.train_part, []
+    real, parts = part_sets.train_part, []
 
     def breaking(motions: Any, body: Any, at: int, *rest: Any) -> Any:
         parts.append(at)
@@ -62,7 +62,7 @@ def test_a_training_that_was_broken_off_goes_on(
             raise MocapmendError("Broken off.", "", "")
         return real(motions, body, at, *rest)
 
-    monkeypatch.setattr(part_codes, "train_part", breaking)
+    monkeypatch.setattr(part_sets, "train_part", breaking)
     assert train("--motion", path, "-o", broken) == 1
     assert sorted(read_training_set(broken).atoms) == ["part 0", "part 1"]
     assert train("--motion", path, "-o", broken, "--resume") == 0

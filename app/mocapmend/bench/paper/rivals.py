@@ -18,7 +18,7 @@ from mocapmend_algorithms.sparse import part_codes
 from mocapmend_algorithms.sparse.bone_space import with_lengths
 from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion, View, choose_places, reference_pose
-from mocapmend_algorithms.sparse.part_codes import PartDictionary
+from mocapmend_algorithms.sparse.part_rows import PartDictionary
 from mocapmend_algorithms.sparse.recovery import Recovery
 from mocapmend_algorithms.sparse.rows import Rows
 

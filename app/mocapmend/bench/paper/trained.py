@@ -22,14 +22,12 @@ from mocapmend.files.atomic import write_atomically
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.sparse.body import Body, find_body
-from mocapmend_algorithms.sparse.part_codes import (
-    PartDictionary,
-    PartSettings,
-    assemble_part,
-    train_part,
-)
+from mocapmend_algorithms.sparse.part_rows import PartDictionary
+from mocapmend_algorithms.sparse.part_training import PartSettings, assemble_part, train_part
 
 FORMAT = 1
+ATOMS = {"run": 500, "basketball": 1000, "punch": 300}
+"""Of each part's dictionary: W18 has 1000, but not so few windows."""
 DAMAGED = (
     OSError, EOFError, ValueError, TypeError, AttributeError, LookupError, RuntimeError,
     zipfile.BadZipFile, zlib.error,
@@ -123,3 +121,19 @@ def _read(path: Path, motions: list[FloatArray], body: Body) -> TrainedParts | N
         seconds,
         memory_mb,
     )
+
+
+class Trained:
+    """The trained dictionaries of the trials."""
+
+    def __init__(self, rounds: int, atoms: int | None) -> None:
+        self._rounds, self._atoms = rounds, atoms
+        self._known: dict[tuple[int, ...], TrainedParts] = {}
+
+    def of(self, trial: Trial) -> TrainedParts:
+        """Train, or take from memory or the cache."""
+        key = tuple(id(recording) for recording in trial.teachers)
+        if key not in self._known:
+            settings = PartSettings(self._atoms or ATOMS[trial.motion], self._rounds)
+            self._known[key] = parts_for(trial, settings)
+        return self._known[key]

@@ -19,7 +19,7 @@ from mocapmend.cli.console import Console
 from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, Source, read_recording, same_file
 from mocapmend.files.atomic import write_atomically, writer_of
-from mocapmend_algorithms.sparse.part_codes import PartSettings
+from mocapmend_algorithms.sparse.part_training import PartSettings
 from mocapmend_algorithms.sparse.training_set import (
     TrainingSet,
     TrainingSetError,
