@@ -47,7 +47,7 @@ def test_a_replay_gives_the_same_bytes(
     path = samples / f"{name}.c3d"
     source = read_recording(path)
     values = METHODS[method].params(**params)
-    gaps = find_gaps(source.recording.present)[: 8 if method in QUICK else 20]
+    gaps = find_gaps(source.recording.present)[: 5 if method in QUICK else 20]
     result = engine.fill(source.measured, gaps, method, values, NO_LIMITS, no_progress)
     changes = engine.changes_of(source, result, method, values)
     assert len(changes.repairs) == len(result.patches)
