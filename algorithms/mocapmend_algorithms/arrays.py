@@ -31,3 +31,16 @@ def evenly(items: IntArray, most: int) -> IntArray:
     if items.size <= most:
         return items
     return items[np.linspace(0, items.size - 1, most).round().astype(np.int64)]
+
+
+def add_ridge(gram: FloatArray, weight: float) -> None:
+    """Add a share of the mean of a Gram matrix' diagonal to the diagonal, in place.
+
+    Parameters
+    ----------
+    gram : ndarray, shape (n, n)
+        Changed.
+    weight : float
+        The share; a trifle more is added, so that nothing but zeros can be solved too.
+    """
+    gram[np.diag_indices_from(gram)] += weight * np.trace(gram) / len(gram) + 1e-12

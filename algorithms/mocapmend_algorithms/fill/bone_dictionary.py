@@ -26,33 +26,27 @@ from typing import Literal
 
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import FillResult
-from mocapmend_algorithms.fill.edges import EdgeParams, meet_edges
+from mocapmend_algorithms.fill.edges import meet_edges
 from mocapmend_algorithms.fill.keep_bones import joined_by_bones, projected, pulled
-from mocapmend_algorithms.fill.motion_codes import Way, read_motions, tell_gaps
-from mocapmend_algorithms.fill.params import option, training_option
+from mocapmend_algorithms.fill.motion_codes import MotionCodeParams, Way, read_motions, tell_gaps
+from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.fill.trained_parts import TrainedParts
 from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import Body, find_body
-from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion
 from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 
-ATOMS_ALONE = 150
-ATOMS_TRAINED = 600
 FADE_S = 0.3
 """Time in which what is left over at the edges of a gap falls to 1/e: 0.25 to 0.5 s do as well."""
 
 
 @dataclass(frozen=True)
-class BoneDictionaryParams(EdgeParams):
+class BoneDictionaryParams(MotionCodeParams):
     """Parameters of `bone-dictionary`."""
 
-    training: str = training_option(
-        "Recordings to learn from beside this one. By default it learns from this one alone."
-    )
     dictionary: Literal["examples", "trained"] = option(
         "examples",
         label="Dictionary",
@@ -66,21 +60,6 @@ class BoneDictionaryParams(EdgeParams):
         minimum=0.0,
         maximum=5000.0,
         unit="ms",
-    )
-    atoms: int | None = option(
-        None,
-        label="Atoms",
-        text="Examples of motion in the dictionary. Automatic: up to 150 of the recording, or 600 "
-        "with a training set.",
-        minimum=10,
-        maximum=5000,
-    )
-    penalty: float = option(
-        0.1,
-        label="Penalty",
-        text="The larger, the fewer examples a window is made of.",
-        minimum=1e-6,
-        maximum=10.0,
     )
     keep_bones: bool = option(
         default=True,
@@ -167,8 +146,7 @@ def fill_bare(
     if parts is not None:
         said = parts.tell(recording, observed, asked, params, progress)
     else:
-        atoms = params.atoms or (ATOMS_TRAINED if others else ATOMS_ALONE)
-        codes = CodeSettings(atoms, 2 * atoms, params.penalty)
+        codes = params.codes(others, guided=True)
         way = Way(params.window_ms, rows="bones", heading=True, parts=False, codes=codes)
         said = tell_gaps(recording, observed, asked, way, body, others, params, progress)
     filled = meet_edges(recording, observed, asked, said, params, FADE_S)

@@ -10,6 +10,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.company import seen_together
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, obstacle, with_edges
+from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
@@ -25,9 +26,41 @@ from mocapmend_algorithms.sparse.windows import Span
 LEAST_HELPERS = 3
 FRAMES = 6
 """Of a window (W18's M)."""
+ATOMS_ALONE = 150
+ATOMS_TRAINED = 600
+"""Where a training set adds to what the recording shows."""
 SHORTEST_PIECE_S = 0.05
 SHORT_RECORDING = 4
 """Windows are at most this part of a recording."""
+
+
+@dataclass(frozen=True)
+class MotionCodeParams(EdgeParams):
+    """Parameters that the methods share."""
+
+    training: str = training_option(
+        "Recordings to learn from beside this one. By default it learns from this one alone."
+    )
+    atoms: int | None = option(
+        None,
+        label="Atoms",
+        text="Examples of motion in the dictionary. Automatic: up to 150 of the recording, or 600 "
+        "with a training set.",
+        minimum=10,
+        maximum=5000,
+    )
+    penalty: float = option(
+        0.1,
+        label="Penalty",
+        text="The larger, the fewer examples a window is made of.",
+        minimum=1e-6,
+        maximum=10.0,
+    )
+
+    def codes(self, others: Sequence[Motion], *, guided: bool) -> CodeSettings:
+        """Return how windows are coded, given the training set."""
+        atoms = self.atoms or (ATOMS_TRAINED if others else ATOMS_ALONE)
+        return CodeSettings(atoms, 2 * atoms, self.penalty, guided)
 
 
 @dataclass(frozen=True)

@@ -14,43 +14,21 @@ from functools import partial
 
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import FillResult
-from mocapmend_algorithms.fill.edges import EdgeParams, meet_edges
-from mocapmend_algorithms.fill.motion_codes import Way, read_motions, tell_gaps
-from mocapmend_algorithms.fill.params import option, training_option
+from mocapmend_algorithms.fill.edges import meet_edges
+from mocapmend_algorithms.fill.motion_codes import MotionCodeParams, Way, read_motions, tell_gaps
+from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.gaps import Gap, seen_outside
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import Body, find_body
-from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion
-
-ATOMS_ALONE = 150
-ATOMS_TRAINED = 600
 
 
 @dataclass(frozen=True)
-class SmbsParams(EdgeParams):
+class SmbsParams(MotionCodeParams):
     """Parameters of `smbs`."""
 
-    training: str = training_option(
-        "Recordings to learn from beside this one. By default it learns from this one alone."
-    )
-    atoms: int | None = option(
-        None,
-        label="Atoms",
-        text="Examples of motion in the dictionary. Automatic: up to 150 of the recording, or 600 "
-        "with a training set.",
-        minimum=10,
-        maximum=5000,
-    )
-    penalty: float = option(
-        0.1,
-        label="Penalty",
-        text="The larger, the fewer examples a window is made of.",
-        minimum=1e-6,
-        maximum=10.0,
-    )
     parts: bool = option(
         default=True,
         label="Parts of the body",
@@ -103,8 +81,7 @@ def fill_bare(
     others: Sequence[Motion],
 ) -> FillResult:
     """Fill gaps without a word on the errors; see `bone_dictionary.fill_bare`."""
-    atoms = params.atoms or (ATOMS_TRAINED if others else ATOMS_ALONE)
-    codes = CodeSettings(atoms, 2 * atoms, params.penalty, guided=False)
+    codes = params.codes(others, guided=False)
     way = Way(0.0, rows="root", heading=True, parts=params.parts, codes=codes)
     said = tell_gaps(recording, observed, gaps, way, body, others, params, progress)
     return meet_edges(recording, observed, gaps, said, params)

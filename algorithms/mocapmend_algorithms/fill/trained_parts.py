@@ -40,7 +40,7 @@ class TrainedParts:
                 f"{recording.rate:g}"
             )
         self._body: Body = body_of(training)
-        self._parts: dict[int, PartDictionary] = parts_of(training)
+        self._parts: dict[int, PartDictionary] = parts_of(training, self._body)
 
     def tell(
         self,

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import FloatArray, IntArray, evenly
+from mocapmend_algorithms.arrays import FloatArray, IntArray, add_ridge, evenly
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.sparse.newton import Coder
 
@@ -79,7 +79,7 @@ class CodeModel:
             codes = self._encode(known[others], progress)
             wanted = (lost[others] - self._mean).T
             gram = codes @ codes.T
-            gram[np.diag_indices_from(gram)] += REFIT * np.trace(gram) / len(gram) + 1e-12
+            add_ridge(gram, REFIT)
             missed = (wanted - self._lost @ codes) @ codes.T
             self._lost = self._lost + np.linalg.solve(gram, missed.T).T
 
@@ -106,7 +106,7 @@ class _Features:
         self._map = np.zeros((known.shape[1], 0))
         if guided:
             gram = centred.T @ centred
-            gram[np.diag_indices_from(gram)] += RIDGE * np.trace(gram) / len(gram) + 1e-12
+            add_ridge(gram, RIDGE)
             weights = np.linalg.solve(gram, centred.T @ (lost - lost.mean(axis=0)))
             self._map = weights * _scale(centred @ weights) / np.sqrt(2)
             self._scale /= np.sqrt(2)

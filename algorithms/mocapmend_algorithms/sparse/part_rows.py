@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, add_ridge
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.sparse.body import Body
 from mocapmend_algorithms.sparse.bone_codes import Problem, encode_bones
@@ -142,7 +142,7 @@ class PartDictionary:
             columns, here = which.ravel() == kind, kinds[:, kind]
             basis = self.components[here]
             gram = basis.T @ basis
-            gram[np.diag_indices_from(gram)] += COARSE_RIDGE * np.trace(gram) / len(gram) + 1e-12
+            add_ridge(gram, COARSE_RIDGE)
             told = basis.T @ (away[np.ix_(here, columns)] - self.mean[here, None])
             found[:, columns] = self.components @ np.linalg.solve(gram, told) + self.mean[:, None]
         return found

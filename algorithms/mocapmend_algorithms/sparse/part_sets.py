@@ -77,15 +77,15 @@ def going_on(training: TrainingSet, earlier: TrainingSet | None) -> TrainingSet:
     return replace(training, atoms=earlier.atoms, settings=earlier.settings)
 
 
-def parts_of(training: TrainingSet) -> dict[int, PartDictionary]:
-    """Return the trained dictionaries of a training set.
+def parts_of(training: TrainingSet, body: Body) -> dict[int, PartDictionary]:
+    """Return the trained dictionaries of a training set, whose bones are those of `body_of`.
 
     Raises
     ------
     TrainingSetError
         If it has none, or not for all parts of its skeleton.
     """
-    body, motions = body_of(training), _long_enough(training)
+    motions = _long_enough(training)
     atoms = [training.atoms.get(f"part {at}") for at in range(len(body.parts))]
     found = {
         at: assemble_part(motions, body, at, part)
@@ -107,10 +107,8 @@ def body_of(training: TrainingSet) -> Body:
     TrainingSetError
         If they do not keep their lengths exactly.
     """
-    labels, rate = training.labels, training.rate
-    lengths = [len(motion) for motion in training.motions(training.up)]
-    first = training.poses[: lengths[0]]
-    recording = Recording(first, labels, rate, "mm", training.up)
+    first = training.poses[: training.lengths[0]]
+    recording = Recording(first, training.labels, training.rate, "mm", training.up)
     body = find_body(recording, recording.present)
     if not body.exact or np.count_nonzero(body.parents < 0) != 1:
         raise TrainingSetError(

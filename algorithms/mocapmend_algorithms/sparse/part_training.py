@@ -1,7 +1,7 @@
 """Training of the dictionaries of the parts of a skeleton (W18, section 2.2; see `part_codes`)."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -134,15 +134,7 @@ def _part_dictionary(
 def _full(problem: Problem, away: FloatArray, scale: float) -> Problem:
     """Return the same problem with the windows as they are behind the masks, for first atoms."""
     targets = (signed_squares(away) / scale).astype(problem.targets.dtype)
-    return Problem(
-        targets,
-        problem.seen,
-        problem.signs,
-        problem.squares,
-        problem.held,
-        problem.penalty,
-        problem.bone_weight,
-    )
+    return replace(problem, targets=targets)
 
 
 def _masks(rows: PartRows, body: Body, windows: int, random: np.random.Generator) -> BoolArray:

@@ -133,12 +133,12 @@ def _tuned(trials: Sequence[Trial], table: Sequence[Rival]) -> Grid:
                 for points in REGIONS:
                     say(f"{rival.name}, {setting}: {motion}, {points} points")
                     errors = [
-                        {"v": rmse(case, find(case))}
+                        rmse(case, find(case))
                         for trial in trials
                         if trial.motion == motion
                         for case in cases(trial, points, LOST_SHARE, noise=True)
                     ]
-                    line[f"{motion}_{points}"] = mean(errors, "v")
+                    line[f"{motion}_{points}"] = mean(errors)
             lines.append(line)
     kinds = [key for key in lines[0] if key not in ("method", "setting", "chosen")]
     columns = [

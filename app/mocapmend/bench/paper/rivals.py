@@ -16,7 +16,6 @@ from mocapmend_algorithms.fill.motion_codes import window_span
 from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
 from mocapmend_algorithms.sparse import part_codes
 from mocapmend_algorithms.sparse.bone_space import with_lengths
-from mocapmend_algorithms.sparse.code_model import CodeSettings
 from mocapmend_algorithms.sparse.examples import Motion, View, choose_places, reference_pose
 from mocapmend_algorithms.sparse.part_rows import PartDictionary
 from mocapmend_algorithms.sparse.recovery import Recovery
@@ -107,7 +106,6 @@ def speed_of_bones(case: Case) -> tuple[float, float]:
     recording = case.recording
     own = Motion(recording.points * recording.mm, recording.present)
     helpers = np.setdiff1d(np.arange(recording.markers), case.lost)
-    atoms = bone_dictionary.ATOMS_TRAINED
     others = teachers(case)
     began = time.perf_counter()
     recovery = Recovery(
@@ -116,7 +114,7 @@ def speed_of_bones(case: Case) -> tuple[float, float]:
         Rows.along_bones(case.body, helpers, case.lost),
         window_span(recording, BEST_MS),
         recording.up,
-        CodeSettings(atoms, 2 * atoms, bone_dictionary.BoneDictionaryParams().penalty),
+        bone_dictionary.BoneDictionaryParams().codes(others, guided=True),
         no_progress,
     )
     learned = time.perf_counter()

@@ -84,10 +84,13 @@ def case_rows(trial: Trial, table: Sequence[Rival]) -> Iterator[dict[str, Cell]]
                     }
 
 
-def mean(rows: Sequence[Mapping[str, Cell]], key: str = "rmse_cm") -> float:
+def mean(errors: Sequence[float]) -> float:
     """Return the root of the mean square over cases: each counts alike, whatever its length."""
-    values = np.array([row[key] for row in rows], dtype=np.float64)
-    return float(np.sqrt(np.mean(values**2))) if values.size else float("nan")
+    return float(np.sqrt(np.mean(np.square(errors)))) if errors else float("nan")
+
+
+def _column(rows: Sequence[Mapping[str, Cell]], key: str) -> list[float]:
+    return [float(row[key] or 0) for row in rows]
 
 
 def summary(rows: Sequence[Mapping[str, Cell]]) -> Grid:
@@ -105,8 +108,8 @@ def summary(rows: Sequence[Mapping[str, Cell]]) -> Grid:
             line: dict[str, Cell] = {"method": method, "projected": projected}
             for m, p in kinds:
                 here = [row for row in own if row["motion"] == m and row["points"] == p]
-                line[f"{m}_{p}"] = mean(here)
-                line[f"{m}_{p}_bones"] = mean(here, "bone_rmse_cm")
+                line[f"{m}_{p}"] = mean(_column(here, "rmse_cm"))
+                line[f"{m}_{p}_bones"] = mean(_column(here, "bone_rmse_cm"))
             line["frames_per_s"] = float(np.median([float(r["frames_per_s"] or 0) for r in own]))
             table.append(line)
     return Grid("summary", "RMSE over the missing points, and bones that touch one", columns, table)
@@ -122,18 +125,18 @@ def noise_free(trials: Sequence[Trial], table: Sequence[Rival]) -> Grid:
             before, after, error = [], [], []
             for case in cases(trial, points, LOST_SHARE, noise=False):
                 say(f"{trial.motion} {trial.name} without noise, {points} points, {case.region}")
-                before.append({"v": bone_rmse(case, plain(case))})
+                before.append(bone_rmse(case, plain(case)))
                 found = best.find(case)
-                after.append({"v": bone_rmse(case, found)})
-                error.append({"v": rmse(case, found)})
+                after.append(bone_rmse(case, found))
+                error.append(rmse(case, found))
             lines.append(
                 {
                     "motion": trial.motion,
                     "test": trial.name,
                     "points": points,
-                    "rmse_cm": mean(error, "v"),
-                    "bones_before_cm": mean(before, "v"),
-                    "bones_after_cm": mean(after, "v"),
+                    "rmse_cm": mean(error),
+                    "bones_before_cm": mean(before),
+                    "bones_after_cm": mean(after),
                 }
             )
     columns = (
@@ -155,15 +158,15 @@ def sweep(trials: Sequence[Trial], table: Sequence[Rival]) -> Grid:
     swept = [trial for trial in trials if trial.name == SWEEP]
     lines: list[dict[str, Cell]] = []
     for rate in RATES:
-        errors: dict[str, list[dict[str, float]]] = {rival.name: [] for rival in chosen}
+        errors: dict[str, list[float]] = {rival.name: [] for rival in chosen}
         for trial in swept:
             say(f"{trial.name}, {100 * rate:.0f} % missing")
             for case in cases(trial, 6, rate, noise=True):
                 for rival in chosen:
-                    errors[rival.name].append({"v": rmse(case, rival.find(case))})
+                    errors[rival.name].append(rmse(case, rival.find(case)))
         if swept:
             line: dict[str, Cell] = {"rate": 100 * rate}
-            lines.append(line | {name: mean(values, "v") for name, values in errors.items()})
+            lines.append(line | {name: mean(values) for name, values in errors.items()})
     columns = [Column("rate", "missing, %", ".0f")]
     columns += [Column(rival.name, f"{rival.name}, cm", ".2f") for rival in chosen]
     return Grid(
@@ -251,7 +254,8 @@ def _error(
     rows: Sequence[Mapping[str, Cell]], motion: str, points: int, method: str, *, projected: bool
 ) -> float:
     wanted = {"motion": motion, "points": points, "method": method, "projected": projected}
-    return mean([row for row in rows if all(row[key] == value for key, value in wanted.items())])
+    those = [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+    return mean(_column(those, "rmse_cm"))
 
 
 def targets(rows: Sequence[Mapping[str, Cell]], grids: Sequence[Grid]) -> Grid:
