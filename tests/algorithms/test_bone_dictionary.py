@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from joint_samples import NAMES, hidden, walker
 from synthetic import bending_body, body_motion, fill_with, punch, record
+from taught_walk import another_subject
 
 from mocapmend_algorithms import Gap, find_gaps
 from mocapmend_algorithms.fill.keep_bones import joined_by_bones
 from mocapmend_algorithms.sparse.body import find_body
-from mocapmend_algorithms.sparse.bone_space import with_lengths
 from mocapmend_algorithms.sparse.training_set import (
     TrainingSetError,
     gather,
@@ -213,15 +213,6 @@ def test_markers_without_a_steady_bone_stay_where_the_codes_put_them():
 
 
 # --- training sets ---------------------------------------------------------------------------
-
-
-def another_subject(frames=500, prefix="Bob:"):
-    """The walk of a body whose bones have other lengths, each by a factor of its own."""
-    walk = walker(frames, prefix=prefix)
-    body = find_body(walk, walk.present)
-    factors = np.random.default_rng(5).uniform(0.7, 1.4, len(body.edges))
-    lengths = factors * body.edge_lengths / walk.mm
-    return walk.with_points(with_lengths(walk.points, body, lengths))
 
 
 @pytest.fixture(scope="module")

@@ -14,16 +14,20 @@ from typing import Any
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import IntArray
+from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill import pose_regression, time_regression
 from mocapmend_algorithms.fill.band import SPEED_DONORS, band
+from mocapmend_algorithms.fill.blending import blended, grown
+from mocapmend_algorithms.fill.bone_dictionary import BoneDictionaryParams
 from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
+from mocapmend_algorithms.fill.coded_motion import CodedMotion
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.donors import Donors
 from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
 from mocapmend_algorithms.fill.gaussian import Kernel
 from mocapmend_algorithms.fill.interpolate import cubic_windows
+from mocapmend_algorithms.fill.keep_bones import joined_by_bones, only, projected
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.model_params import (
     LEFT_OPEN,
@@ -31,13 +35,15 @@ from mocapmend_algorithms.fill.model_params import (
     donors_option,
     model_edges_option,
 )
+from mocapmend_algorithms.fill.motion_codes import read_motions
+from mocapmend_algorithms.fill.params import training_option
 from mocapmend_algorithms.fill.pose_regression import View
-from mocapmend_algorithms.fill.stack import LEAST_MM, Stack, blend
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.fill.window import Windows
-from mocapmend_algorithms.gaps import Gap
-from mocapmend_algorithms.progress import Progress, no_progress
+from mocapmend_algorithms.gaps import Gap, seen_outside
+from mocapmend_algorithms.progress import Progress, no_progress, part
 from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.sparse.body import find_body
 
 DRIFT = (0.1, 10.0)
 """Skin and marker shift slowly against the donors."""
@@ -64,6 +70,11 @@ CANDIDATES: tuple[tuple[View, tuple[Kernel, ...]], ...] = (
 BRIEF_CANDIDATES = ((NEAR, (POSE, BOTH)), *CANDIDATES[1:])
 """Of brief gaps, which the marker's own samples tell of as well as time in a frame does."""
 PULL = 0.1
+CODED_PULL = 0.03
+LENGTH_POWER = 0.75
+CODED_LENGTH_POWER = 0.25
+"""By how much errors grow with the length where the trials are shorter than the gap: what was
+learned elsewhere holds on."""
 FEW = 6
 """With fewer donors, time alone is a candidate for gaps of any length."""
 PROMISING = 0.25
@@ -78,6 +89,9 @@ SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
 """Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
 ENOUGH = 3 * SIZE.frames
 
+OWN_SHARE = 0.2
+"""Of the progress: what a gap takes where there are codes too."""
+
 Filled = tuple[Patch, dict[str, Any]]
 
 
@@ -87,6 +101,11 @@ class AutoParams:
 
     edges: ModelEdges = model_edges_option()
     donors: tuple[str, ...] = donors_option("Markers that move with this one")
+    training: str = training_option(
+        "Recordings to learn from beside this one. Windows of motion that are coded by them, as in "
+        "bone-dictionary, become part of the blend as far as tests speak for it; bones of a "
+        "skeleton get their exact lengths. This takes seconds a gap."
+    )
 
 
 def auto(
@@ -112,6 +131,51 @@ def auto(
         With `donors`, `self_tests` and the `weights` of the blend in the notes; a gap with a cubic
         curve has neither donors nor weights, but `curve`.
     """
+    if not params.training:
+        return _fill_all(recording, gaps, params, None, progress)
+    observed = seen_outside(recording.present, gaps)
+    body = find_body(recording, observed)
+    coding = BoneDictionaryParams(training=params.training, edges=params.edges)
+    others = read_motions(params.training, recording, body)
+    coded = CodedMotion(recording, observed, coding, body, others)
+    return fill_coded(recording, gaps, params, coded, progress)
+
+
+def fill_coded(
+    recording: Recording,
+    gaps: Sequence[Gap],
+    params: AutoParams,
+    coded: CodedMotion,
+    progress: Progress,
+) -> FillResult:
+    """Fill gaps with codes in the blend; the bones of a skeleton get their exact lengths.
+
+    Parameters
+    ----------
+    recording, gaps, params, progress
+        See `auto`; the training set is not read.
+    coded : CodedMotion
+        Of the recording.
+
+    Returns
+    -------
+    FillResult
+        As of `auto`; the weight of the codes is the last.
+    """
+    if not coded.body.exact:
+        return _fill_all(recording, gaps, params, coded, progress)
+    asked = joined_by_bones(coded.observed, gaps, coded.body)
+    filled = _fill_all(recording, asked, params, coded, progress)
+    return only(projected(recording, coded.observed, filled, coded.body), gaps)
+
+
+def _fill_all(
+    recording: Recording,
+    gaps: Sequence[Gap],
+    params: AutoParams,
+    coded: CodedMotion | None,
+    progress: Progress,
+) -> FillResult:
     survey = Survey(recording, gaps)
     curves = Windows(recording, gaps, cubic_windows("leave"))
 
@@ -119,12 +183,12 @@ def auto(
         # Who names donors wants to see what these can do.
         curve = None if params.donors else _curve(curves, gap, recording)
         try:
-            blended = _fill(_case(survey, gap, params), recording, share)
+            filled = _fill(_case(survey, gap, params), recording, coded, share)
         except LeftOpenError:
             if curve is None:
                 raise
             return curve
-        return curve if curve and _more_promising(curve[0], blended[0]) else blended
+        return curve if curve and _more_promising(curve[0], filled[0]) else filled
 
     return fill_each(gaps, fill, progress)
 
@@ -177,30 +241,36 @@ def _looked_at(donors: Donors) -> IntArray:
     return np.unique(np.concatenate([*near, donors.best(SPEED_DONORS)]))
 
 
-def _fill(case: Case, recording: Recording, progress: Progress) -> Filled:
+def _fill(
+    case: Case, recording: Recording, coded: CodedMotion | None, progress: Progress
+) -> Filled:
     """Fill a gap, and say how sure that is."""
-    candidates = _candidates(case, progress)
-    errors = list(zip(*(candidate.errors for candidate in candidates), strict=True))
-    prior = np.full(len(candidates), 1 / len(candidates))
-    stack = Stack(errors, prior, PULL)
-    weights = stack.weights()
-    scaled = weights * np.array([_unit(candidate) for candidate in candidates])
-    spreads = zip(*(candidate.spreads for candidate in candidates), strict=True)
-    unsure = band(
-        case,
-        stack.left_out(),
-        [blend(spread, scaled) for spread in spreads],
-        blend([candidate.spread for candidate in candidates], scaled),
-    )
-    values = blend([candidate.values for candidate in candidates], weights)
+    whole, weights = _whole(case, coded, progress)
+    unsure = band(case, whole.errors, whole.spreads, whole.spread)
     labels = [recording.labels[marker] for marker in case.donors.markers[case.donors.best(4)]]
     notes = {
         "donors": tuple(labels),
-        "self_tests": len(errors),
+        "self_tests": len(whole.errors),
         "weights": tuple(weights.round(3).tolist()),
     }
     mm = recording.mm
-    return Patch(case.gap, values / mm, unsure.sigma / mm, unsure.r90 / mm), notes
+    return Patch(case.gap, whole.values / mm, unsure.sigma / mm, unsure.r90 / mm), notes
+
+
+def _whole(
+    case: Case, coded: CodedMotion | None, progress: Progress
+) -> tuple[Candidate, FloatArray]:
+    """Blend all candidates; the weight of the codes, if there are any, is the last."""
+    if coded is None:
+        return blended(_candidates(case, progress), PULL)
+    own, weights = blended(_candidates(case, part(progress, 0.0, OWN_SHARE)), PULL)
+    other = coded.candidate(case, part(progress, OWN_SHARE, 1.0))
+    if other is None:
+        return own, weights
+    longer = case.lesson.times_longer(case.gap)
+    both = grown(own, longer**LENGTH_POWER), grown(other, longer**CODED_LENGTH_POWER)
+    whole, (mine, theirs) = blended(both, CODED_PULL)
+    return whole, np.append(mine * weights, theirs)
 
 
 def _candidates(case: Case, progress: Progress) -> list[Candidate]:
@@ -213,11 +283,3 @@ def _candidates(case: Case, progress: Progress) -> list[Candidate]:
         progress(done / len(candidates))
         found += pose_regression.regress(case, view, kernels)
     return found
-
-
-def _unit(candidate: Candidate) -> float:
-    """Return how many mm a candidate's unit of spread stands for, by its trials."""
-    if not candidate.errors:
-        return 1.0
-    error = max(float(np.mean(np.concatenate(candidate.errors) ** 2)) * 3, LEAST_MM**2)
-    return float(np.sqrt(error / np.mean(np.concatenate(candidate.spreads) ** 2)))

@@ -76,7 +76,7 @@ def band(
     )
     starts = np.array([trial.start for trial in case.lesson.trials])
     tried = case.lesson.trials[0].stop - case.lesson.trials[0].start
-    longer = max(1.0, case.gap.length / tried) ** LENGTH_POWER
+    longer = case.lesson.times_longer(case.gap) ** LENGTH_POWER
     trust = MANY_TRIALS + FEW_TRIALS / count_apart(starts, tried)
     scale = trust * longer * spread * hardness[case.samples :]
     return Band(

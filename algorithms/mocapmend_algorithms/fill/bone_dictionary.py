@@ -19,7 +19,7 @@ What is different here, each by measurement (`bench paper`):
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Literal
@@ -27,7 +27,7 @@ from typing import Literal
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import meet_edges
-from mocapmend_algorithms.fill.keep_bones import joined_by_bones, projected, pulled
+from mocapmend_algorithms.fill.keep_bones import joined_by_bones, only, projected, pulled
 from mocapmend_algorithms.fill.motion_codes import MotionCodeParams, Way, read_motions, tell_gaps
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
@@ -152,17 +152,4 @@ def fill_bare(
     filled = meet_edges(recording, observed, asked, said, params, FADE_S)
     if params.keep_bones:
         filled = (projected if exact else pulled)(recording, observed, filled, body)
-    return _only(filled, gaps)
-
-
-def _only(filled: FillResult, gaps: Sequence[Gap]) -> FillResult:
-    """Leave out the gaps that were filled for the sake of their neighbours."""
-    order = {gap: at for at, gap in enumerate(gaps)}
-    patches = [patch for patch in filled.patches if patch.gap in order]
-    unfilled = [one for one in filled.unfilled if one.gap in order]
-    return replace(
-        filled,
-        patches=tuple(sorted(patches, key=lambda patch: order[patch.gap])),
-        unfilled=tuple(sorted(unfilled, key=lambda one: order[one.gap])),
-        notes={gap: note for gap, note in filled.notes.items() if gap in order},
-    )
+    return only(filled, gaps)

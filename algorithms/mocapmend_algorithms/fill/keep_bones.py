@@ -49,6 +49,32 @@ def joined_by_bones(observed: BoolArray, gaps: Sequence[Gap], body: Body) -> lis
     return sorted(chosen)
 
 
+def only(filled: FillResult, gaps: Sequence[Gap]) -> FillResult:
+    """Leave out the gaps that were filled for the sake of their neighbours.
+
+    Parameters
+    ----------
+    filled : FillResult
+        Of `joined_by_bones`.
+    gaps : sequence of Gap
+        Those asked for.
+
+    Returns
+    -------
+    FillResult
+        In the order of the gaps.
+    """
+    order = {gap: at for at, gap in enumerate(gaps)}
+    patches = [patch for patch in filled.patches if patch.gap in order]
+    unfilled = [one for one in filled.unfilled if one.gap in order]
+    return replace(
+        filled,
+        patches=tuple(sorted(patches, key=lambda patch: order[patch.gap])),
+        unfilled=tuple(sorted(unfilled, key=lambda one: order[one.gap])),
+        notes={gap: note for gap, note in filled.notes.items() if gap in order},
+    )
+
+
 def projected(
     recording: Recording, observed: BoolArray, filled: FillResult, body: Body
 ) -> FillResult:

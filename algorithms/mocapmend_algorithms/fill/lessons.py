@@ -54,6 +54,12 @@ class Lesson:
     frames: IntArray
     trials: tuple[Trial, ...]
 
+    def times_longer(self, gap: Gap) -> float:
+        """Return how many times longer than the trials a gap is, at least 1."""
+        if not self.trials:
+            return 1.0
+        return max(1.0, gap.length / (self.trials[0].stop - self.trials[0].start))
+
 
 @dataclass(frozen=True)
 class Size:

@@ -9,7 +9,8 @@ import numpy as np
 from mocapmend.bench.paper.trials import Case
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.fill import bone_dictionary, registry, smbs
+from mocapmend_algorithms.fill import auto, bone_dictionary, registry, smbs
+from mocapmend_algorithms.fill.coded_motion import CodedMotion
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import Modelled, meet_edges
 from mocapmend_algorithms.fill.motion_codes import window_span
@@ -80,6 +81,19 @@ def by_method(method_id: str, **params: str) -> Find:
     return lambda case: _values(
         case, method.function(case.recording, case.gaps, values, no_progress)
     )
+
+
+def by_auto() -> Find:
+    """Fill with `auto` and the training trials."""
+    params, codes = auto.AutoParams(), bone_dictionary.BoneDictionaryParams()
+
+    def find(case: Case) -> FloatArray:
+        coded = CodedMotion(
+            case.recording, case.recording.present, codes, case.body, teachers(case)
+        )
+        return _values(case, auto.fill_coded(case.recording, case.gaps, params, coded, no_progress))
+
+    return find
 
 
 def by_bones(params: bone_dictionary.BoneDictionaryParams) -> Find:
@@ -261,6 +275,7 @@ def rivals(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> list
             "penalty 1e-3",
         ),
         Rival("auto", {"default": by_method("auto")}, "default"),
+        Rival("auto, the trials given", {"default": by_auto()}, "default"),
         Rival(
             "TSMC, plain",
             {

@@ -1,0 +1,133 @@
+"""Candidate of `auto`: sparse codes of windows of motion, as `bone-dictionary` has them.
+
+Where a training set is given, or the bones of a skeleton are known, they find neighbours together
+that no donor beside the gap could tell one by one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.bone_dictionary import BoneDictionaryParams, fill_bare
+from mocapmend_algorithms.fill.candidate import Candidate
+from mocapmend_algorithms.fill.case import Case
+from mocapmend_algorithms.fill.lessons import Trial
+from mocapmend_algorithms.fill.punch import HIDDEN_SHARE, Window, punch
+from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.progress import Progress, part
+from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.sparse.body import Body
+from mocapmend_algorithms.sparse.examples import Motion
+
+Key = tuple[Window, bytes, tuple[int, ...]]
+BARE_SHARE = 0.2
+"""Of the progress: the fill itself; the trials take the rest."""
+
+
+@dataclass(frozen=True, eq=False)
+class CodedMotion:
+    """Fills gaps of one recording, and the trials of each.
+
+    Attributes
+    ----------
+    recording : Recording
+        Not changed.
+    observed : ndarray of bool, shape (frames, markers)
+        The samples that may be looked at.
+    params : BoneDictionaryParams
+        How windows are coded.
+    body : Body
+        The bones.
+    others : sequence of Motion
+        A training set.
+    """
+
+    recording: Recording
+    observed: BoolArray
+    params: BoneDictionaryParams
+    body: Body
+    others: Sequence[Motion]
+    _filled: dict[Gap, FloatArray] = field(default_factory=dict)
+    _tried: dict[Key, dict[Gap, FloatArray]] = field(default_factory=dict)
+
+    def candidate(self, case: Case, progress: Progress) -> Candidate | None:
+        """Fill a gap and its trials.
+
+        Parameters
+        ----------
+        case : Case
+            The gap.
+        progress : Progress
+            Called often.
+
+        Returns
+        -------
+        Candidate or None
+            None where the codes do not fill the gap and all its trials.
+        """
+        gap, trials = case.gap, case.lesson.trials
+        window = Window.of(self.observed, gap)
+        members = np.flatnonzero(window.alike(self.observed))
+        if gap not in self._filled:
+            together = [Gap(marker, gap.start, gap.stop) for marker in members.tolist()]
+            share = part(progress, 0.0, BARE_SHARE)
+            self._filled.update(self._fill(self.observed, together, share))
+        tried = self._try(window, members, trials, part(progress, BARE_SHARE, 1.0))
+        wanted = [Gap(gap.marker, trial.start, trial.stop) for trial in trials]
+        if gap not in self._filled or any(one not in tried for one in wanted):
+            return None
+        errors = []
+        for trial, one in zip(trials, wanted, strict=True):
+            judged = trial.hidden[trial.judged]
+            told = tried[one][case.lesson.frames[judged] - trial.start]
+            errors.append(case.target[judged] - told)
+        spreads = tuple(np.ones(len(error)) for error in errors)
+        return Candidate(self._filled[gap], np.ones(gap.length), tuple(errors), spreads)
+
+    def _try(
+        self, window: Window, members: IntArray, trials: Sequence[Trial], progress: Progress
+    ) -> dict[Gap, FloatArray]:
+        """Fill the trials of a gap, as it is missing; its companions' are often the same."""
+        starts = [trial.start for trial in trials]
+        key = window, members.tobytes(), tuple(starts)
+        if key not in self._tried:
+            found: dict[Gap, FloatArray] = {}
+            length = trials[0].stop - trials[0].start if trials else 0
+            runs = self._runs(starts, length)
+            for done, places in enumerate(runs):
+                hidden = punch(self.observed, window, members, np.array(places), length)
+                gaps = [Gap(m, p, p + length) for m in members.tolist() for p in places]
+                share = part(progress, done / len(runs), (done + 1) / len(runs))
+                found |= self._fill(hidden, gaps, share)
+            self._tried[key] = found
+        return self._tried[key]
+
+    def _runs(self, starts: Sequence[int], length: int) -> list[list[int]]:
+        """Deal trials to runs in which they are apart and hide few enough frames."""
+        most = max(int(HIDDEN_SHARE * len(self.observed)) // max(length, 1), 1)
+        runs: list[list[int]] = []
+        for start in starts:
+            for run in runs:
+                if len(run) < most and start > run[-1] + length + 1:
+                    run.append(start)
+                    break
+            else:
+                runs.append([start])
+        return runs
+
+    def _fill(
+        self, observed: BoolArray, gaps: Sequence[Gap], progress: Progress
+    ) -> dict[Gap, FloatArray]:
+        """Fill gaps, in mm."""
+        filled = fill_bare(
+            self.recording,
+            observed,
+            gaps,
+            progress,
+            params=self.params,
+            body=self.body,
+            others=self.others,
+        )
+        return {patch.gap: patch.values * self.recording.mm for patch in filled.patches}
