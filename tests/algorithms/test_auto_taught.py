@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from joint_samples import NAMES, hidden, walker
-from synthetic import fill_with, record
+from synthetic import bending_body, fill_with, punch, record
 from taught_walk import another_subject
 
 from mocapmend_algorithms import Gap, find_gaps, no_progress
@@ -91,6 +91,18 @@ def test_a_set_without_the_marker_changes_nothing_but_the_bones(tmp_path):
     alone = by_auto(raw, gaps)
     taught = by_auto(raw, gaps, training=str(path))
     assert taught.notes[gaps[0]]["weights"] == alone.notes[gaps[0]]["weights"]
+
+
+def test_a_training_set_of_other_motion_has_no_weight(tmp_path):
+    gaps = [Gap(3, 100, 130)]
+    raw = record(punch(bending_body(300, 12), gaps))
+    path = tmp_path / "other.npz"
+    write_training_set(gather([record(bending_body(300, 12, seed=9, modes=6))]), path)
+    alone, taught = by_auto(raw, gaps), by_auto(raw, gaps, training=str(path))
+    weights = taught.notes[gaps[0]]["weights"]
+    assert len(weights) == len(alone.notes[gaps[0]]["weights"]) + 1
+    assert weights[-1] == 0
+    np.testing.assert_allclose(taught.patches[0].values, alone.patches[0].values, atol=3.0)
 
 
 def test_a_training_set_of_other_markers_is_refused(tmp_path, raw):

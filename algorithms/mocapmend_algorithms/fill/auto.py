@@ -9,7 +9,7 @@ few stretches to test on. Where the marker has no donors, time alone is left.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -87,6 +87,8 @@ BRIEF_SIZE = Size(frames=300, trials=18, judged=6, rest=60)
 SHORT_S = 0.05
 SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
 """Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
+CODED_TRIALS = 8
+"""Most tests with a training set, which are dear."""
 ENOUGH = 3 * SIZE.frames
 
 OWN_SHARE = 0.2
@@ -183,7 +185,7 @@ def _fill_all(
         # Who names donors wants to see what these can do.
         curve = None if params.donors else _curve(curves, gap, recording)
         try:
-            filled = _fill(_case(survey, gap, params), recording, coded, share)
+            filled = _fill(_case(survey, gap, params, coded), recording, coded, share)
         except LeftOpenError:
             if curve is None:
                 raise
@@ -216,7 +218,7 @@ def _more_promising(curve: Patch, blended: Patch) -> bool:
     return curve.expected_error < PROMISING * blended.expected_error
 
 
-def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
+def _case(survey: Survey, gap: Gap, params: AutoParams, coded: CodedMotion | None) -> Case:
     """Collect what there is to learn from."""
     edge = gap.kind(survey.recording.frames) != "interior"
     if edge and params.edges == "leave":
@@ -226,7 +228,10 @@ def _case(survey: Survey, gap: Gap, params: AutoParams) -> Case:
         raise LeftOpenError(
             "it is at the beginning or the end, and no other marker is seen throughout"
         )
-    return survey.case(gap, donors[_looked_at(donors)], _size(gap, survey.recording))
+    size = _size(gap, survey.recording)
+    if coded is not None:
+        size = replace(size, trials=CODED_TRIALS)
+    return survey.case(gap, donors[_looked_at(donors)], size)
 
 
 def _size(gap: Gap, recording: Recording) -> Size:
@@ -269,6 +274,9 @@ def _whole(
         return own, weights
     longer = case.lesson.times_longer(case.gap)
     both = grown(own, longer**LENGTH_POWER), grown(other, longer**CODED_LENGTH_POWER)
+    if both[1].error > both[0].error:
+        # Even a small weight of a worse candidate does harm, on the whole.
+        return own, np.append(weights, 0.0)
     whole, (mine, theirs) = blended(both, CODED_PULL)
     return whole, np.append(mine * weights, theirs)
 

@@ -50,5 +50,5 @@ def _unit(candidate: Candidate) -> float:
     """Return how many mm a candidate's unit of spread stands for, by its trials."""
     if not candidate.errors:
         return 1.0
-    error = max(float(np.mean(np.concatenate(candidate.errors) ** 2)) * 3, LEAST_MM**2)
-    return float(np.sqrt(error / np.mean(np.concatenate(candidate.spreads) ** 2)))
+    error = max(np.sqrt(3) * candidate.error, LEAST_MM)
+    return float(error / np.sqrt(np.mean(np.concatenate(candidate.spreads) ** 2)))

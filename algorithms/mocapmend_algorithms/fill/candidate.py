@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from mocapmend_algorithms.arrays import FloatArray
 
 
@@ -24,3 +26,10 @@ class Candidate:
     spread: FloatArray
     errors: tuple[FloatArray, ...]
     spreads: tuple[FloatArray, ...]
+
+    @property
+    def error(self) -> float:
+        """Root mean square of what it leaves over along each axis; NaN without trials."""
+        if not self.errors:
+            return float("nan")
+        return float(np.sqrt(np.mean(np.concatenate(self.errors) ** 2)))
