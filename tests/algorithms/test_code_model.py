@@ -50,6 +50,13 @@ def test_fitted_lost_rows_undo_that_the_penalty_pulls_to_the_mean():
     assert error(fitted, *case) < 0.6 * error(own, *case)
 
 
+def test_what_is_left_over_is_what_further_examples_are_missed_by():
+    known, lost = motions(200)
+    model = CodeModel(known, lost, replace(FITTED, atoms=30, examples=100), no_progress)
+    expected = lost[1::2] - model(known[1::2], no_progress)
+    np.testing.assert_allclose(model.left_over, expected, atol=1e-6 * np.std(lost))
+
+
 def test_guided_is_not_led_astray_by_rows_that_say_nothing():
     case = (*motions(EXAMPLES, silent=40, loud=3.0), *motions(60, seed=1, silent=40, loud=3.0))
     assert error(GUIDED, *case) < 0.6 * error(FITTED, *case)

@@ -45,9 +45,17 @@ def test_points_move_no_further_than_they_must():
 def test_what_is_less_sure_moves_further():
     points = np.array([[[0.0, 0, 0], [4.0, 0, 0]]])
     bones = BoneConstraints(np.array([[0, 1]]), np.array([8.0]))
-    covariance = np.diag([1.0, 1, 1, 3, 3, 3])
+    covariance = np.diag([1.0, 3.0])
     moved = project_bones(points, np.array([0, 1]), bones, covariance)
     np.testing.assert_allclose(moved[0, :, 0], [-1, 7], atol=1e-9)
+
+
+def test_what_errs_together_moves_together():
+    points = np.array([[[0.0, 0, 0], [4.0, 0, 0], [4.0, 3.0, 0]]])
+    bones = BoneConstraints(np.array([[0, 1]]), np.array([5.0]))
+    covariance = np.array([[1.0, 0.5], [0.5, 2.0]])
+    moved = project_bones(points, np.array([1, 2]), bones, covariance)
+    np.testing.assert_allclose(moved, [[[5, 0, 0], [4.5, 3, 0]]], atol=1e-9)
 
 
 def test_an_end_out_of_reach_is_met_as_nearly_as_can_be():

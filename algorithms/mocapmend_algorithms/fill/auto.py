@@ -168,7 +168,7 @@ def fill_coded(
         return _fill_all(recording, gaps, params, coded, progress)
     asked = joined_by_bones(coded.observed, gaps, coded.body)
     filled = _fill_all(recording, asked, params, coded, progress)
-    return only(projected(recording, coded.observed, filled, coded.body), gaps)
+    return only(projected(recording, coded.observed, filled, coded.body, {}), gaps)
 
 
 def _fill_all(

@@ -14,8 +14,9 @@ What is different here, each by measurement (`bench paper`):
 - the dictionary is windows of the recording itself, or of a training set, and its lost rows are
   fitted to further windows (see `sparse.code_model`);
 - what the dictionary leaves over at the edges of the gap is carried into it;
-- in the end the bones of a skeleton get their exact lengths (see `skeleton.projection`); between
-  markers on skin, which slide, points are pulled towards them as far as their lengths are sure.
+- in the end the bones of a skeleton get their exact lengths (see `skeleton.projection`), and what
+  missed the examples by more, or together, moves so; between markers on skin, which slide, points
+  are pulled towards them as far as their lengths are sure.
 """
 
 from collections.abc import Sequence
@@ -26,7 +27,7 @@ from typing import Literal
 
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import FillResult
-from mocapmend_algorithms.fill.edges import meet_edges
+from mocapmend_algorithms.fill.edges import Modelled, meet_edges
 from mocapmend_algorithms.fill.keep_bones import joined_by_bones, only, projected, pulled
 from mocapmend_algorithms.fill.motion_codes import MotionCodeParams, Way, read_motions, tell_gaps
 from mocapmend_algorithms.fill.params import option
@@ -150,6 +151,9 @@ def fill_bare(
         way = Way(params.window_ms, rows="bones", heading=True, parts=False, codes=codes)
         said = tell_gaps(recording, observed, asked, way, body, others, params, progress)
     filled = meet_edges(recording, observed, asked, said, params, FADE_S)
-    if params.keep_bones:
-        filled = (projected if exact else pulled)(recording, observed, filled, body)
+    if exact:
+        doubts = {gap: one.doubt for gap, one in said.items() if isinstance(one, Modelled)}
+        filled = projected(recording, observed, filled, body, doubts)
+    elif params.keep_bones:
+        filled = pulled(recording, observed, filled, body)
     return only(filled, gaps)

@@ -86,6 +86,22 @@ def obstacle(observed: BoolArray, gap: Gap, params: EdgeParams) -> str:
 
 
 @dataclass(frozen=True, eq=False)
+class Doubt:
+    """How unsure a model is of markers that it tells together.
+
+    Attributes
+    ----------
+    markers : ndarray of int, shape (markers,)
+        Ascending.
+    covariance : ndarray, shape (markers, markers)
+        Of what it misses a coordinate of each by, in mm squared.
+    """
+
+    markers: IntArray
+    covariance: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
 class Modelled:
     """What a model says of a gap.
 
@@ -95,10 +111,13 @@ class Modelled:
         Coordinates in the frames of `with_edges`, in the recording's unit.
     notes : dict
         For the diagnostics.
+    doubt : Doubt, optional
+        Of the marker and those that are told with it.
     """
 
     values: FloatArray
     notes: dict[str, Any]
+    doubt: Doubt | None = None
 
 
 def meet_edges(

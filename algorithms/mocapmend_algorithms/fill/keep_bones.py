@@ -1,18 +1,21 @@
 """Bone lengths of what was filled: exact in a skeleton, as sure as they are between markers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, add_ridge
 from mocapmend_algorithms.fill.bones import Bones, pull
 from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.fill.edges import Doubt
 from mocapmend_algorithms.gaps import Gap, find_gaps
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
 from mocapmend_algorithms.sparse.body import LEAST_SPREAD_MM, Body
 
+LEAST_DOUBT = 1e-3
+"""Of each marker, relative to the mean: what errs little in the examples is not fixed."""
 PULL_MM = 10.0
 """How unsure a told place is, to weigh it against bone lengths that are measured on skin."""
 
@@ -76,7 +79,11 @@ def only(filled: FillResult, gaps: Sequence[Gap]) -> FillResult:
 
 
 def projected(
-    recording: Recording, observed: BoolArray, filled: FillResult, body: Body
+    recording: Recording,
+    observed: BoolArray,
+    filled: FillResult,
+    body: Body,
+    doubts: Mapping[Gap, Doubt | None],
 ) -> FillResult:
     """Give the bones of a skeleton their lengths, all filled points of a frame together.
 
@@ -90,6 +97,8 @@ def projected(
         Whose patches are to be moved.
     body : Body
         The bones.
+    doubts : mapping of Gap to Doubt
+        What is less sure moves further; all alike where there is none.
 
     Returns
     -------
@@ -97,15 +106,17 @@ def projected(
         Bones with an end that is missing all the same do not count.
     """
     points = np.where(observed[..., None], recording.points, np.nan)
-    moving = np.zeros_like(observed)
-    for patch in filled.patches:
+    patch_at = np.full(observed.shape, -1)
+    for number, patch in enumerate(filled.patches):
         gap = patch.gap
         points[gap.start : gap.stop, gap.marker] = patch.values
-        moving[gap.start : gap.stop, gap.marker] = True
-    for frames, movable in _alike(moving):
+        patch_at[gap.start : gap.stop, gap.marker] = number
+    for frames, movable in _alike(patch_at):
         touching = np.isin(body.bones, movable).any(axis=1)
         bones = BoneConstraints(body.bones[touching], body.lengths[touching] / recording.mm)
-        points[np.ix_(frames, movable)] = project_bones(points[frames], movable, bones)
+        gaps = [filled.patches[number].gap for number in patch_at[frames[0], movable]]
+        covariance = _covariance(movable, [doubts.get(gap) for gap in gaps])
+        points[np.ix_(frames, movable)] = project_bones(points[frames], movable, bones, covariance)
     patches = [
         replace(patch, values=points[patch.gap.start : patch.gap.stop, patch.gap.marker].copy())
         for patch in filled.patches
@@ -113,12 +124,30 @@ def projected(
     return replace(filled, patches=tuple(patches))
 
 
-def _alike(moving: BoolArray) -> Iterator[tuple[IntArray, IntArray]]:
-    """Group the frames in which the same markers move."""
-    frames = np.flatnonzero(moving.any(axis=1))
-    kinds, which = np.unique(moving[frames], axis=0, return_inverse=True)
+def _alike(patch_at: IntArray) -> Iterator[tuple[IntArray, IntArray]]:
+    """Group the frames in which the same patches are."""
+    frames = np.flatnonzero((patch_at >= 0).any(axis=1))
+    kinds, which = np.unique(patch_at[frames], axis=0, return_inverse=True)
     for at, kind in enumerate(kinds):
-        yield frames[which.ravel() == at], np.flatnonzero(kind)
+        yield frames[which.ravel() == at], np.flatnonzero(kind >= 0)
+
+
+def _covariance(markers: IntArray, doubts: Sequence[Doubt | None]) -> FloatArray | None:
+    """Say how unsure markers are together; those that were not told together err apart."""
+    covariance = np.zeros((markers.size, markers.size))
+    left: BoolArray = np.ones(markers.size, dtype=np.bool_)
+    for at, doubt in enumerate(doubts):
+        if left[at] and doubt is not None:
+            here = np.flatnonzero(left & np.isin(markers, doubt.markers))
+            there = np.searchsorted(doubt.markers, markers[here])
+            covariance[np.ix_(here, here)] = doubt.covariance[np.ix_(there, there)]
+            left[here] = False
+    if left.all():
+        return None
+    usual = float(np.diagonal(covariance)[~left].mean())
+    covariance[left, left] = usual
+    add_ridge(covariance, LEAST_DOUBT)
+    return covariance if usual > 0 else None
 
 
 def pulled(recording: Recording, observed: BoolArray, filled: FillResult, body: Body) -> FillResult:

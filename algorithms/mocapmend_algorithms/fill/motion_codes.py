@@ -9,7 +9,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.company import seen_together
-from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, obstacle, with_edges
+from mocapmend_algorithms.fill.edges import Doubt, EdgeParams, Modelled, obstacle, with_edges
 from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
@@ -199,7 +199,7 @@ class _Teller:
         """Say what the codes make of a gap and the samples beside it, or why they say nothing."""
         start, stop = with_edges(self._observed, gap)
         values = np.full((stop - start, 3), np.nan)
-        helpers, examples = [], []
+        helpers, examples, doubt = [], [], None
         pieces = list(self._pieces(gap.marker, start, stop))
         shares = np.linspace(0.0, 1.0, 2 * len(pieces) + 1).tolist()
         for done, (a, b, seen, shown) in enumerate(pieces):
@@ -225,10 +225,12 @@ class _Teller:
             values[a - start : b - start] = told[:, targets.tolist().index(gap.marker)]
             helpers.append(int(seen.size))
             examples.append(recovery.examples)
+            missed = recovery.doubt()
+            doubt = None if missed is None else Doubt(targets, missed)
         if not np.isfinite(values).all():
             return "the recording is too short for the windows of this method"
         notes = {"helpers": min(helpers), "examples": min(examples)}
-        return Modelled(values / self._recording.mm, notes)
+        return Modelled(values / self._recording.mm, notes, doubt)
 
     def _pieces(
         self, marker: int, start: int, stop: int

@@ -52,9 +52,9 @@ def project_bones(
         The markers that may move.
     constraints : BoneConstraints
         The bones.
-    covariance : ndarray, shape (3 movable, 3 movable), optional
-        How unsure the places are, marker by marker: what is less sure moves further. All alike
-        by default.
+    covariance : ndarray, shape (movable, movable), optional
+        How unsure a coordinate of each marker is, and how alike: what is less sure moves further,
+        and what errs together moves together. All alike by default.
 
     Returns
     -------
@@ -63,8 +63,9 @@ def project_bones(
         squares of what they miss are least.
     """
     movable = np.asarray(movable, dtype=np.int64)
-    size = 3 * movable.size
-    metric = np.eye(size) if covariance is None else covariance / np.trace(covariance) * size
+    if covariance is None:
+        covariance = np.eye(movable.size)
+    metric: FloatArray = np.kron(covariance / np.trace(covariance) * movable.size, np.eye(3))
     return _Projection(points, movable, constraints, metric).solve()
 
 

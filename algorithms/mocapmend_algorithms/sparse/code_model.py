@@ -60,6 +60,11 @@ class CodeModel:
         How.
     progress : Progress
         Called often.
+
+    Attributes
+    ----------
+    left_over : ndarray, shape (further examples, lost rows)
+        What is missed of the examples by which the lost rows were fitted.
     """
 
     def __init__(
@@ -75,6 +80,7 @@ class CodeModel:
         size[size == 0] = 1.0
         self._coder = Coder.of((coordinates / size[:, None]).T)
         self._lost = ((lost[atoms] - self._mean) / size[:, None]).T
+        self.left_over = np.zeros((0, lost.shape[1]))
         if others.size:
             codes = self._encode(known[others], progress)
             wanted = (lost[others] - self._mean).T
@@ -82,6 +88,7 @@ class CodeModel:
             add_ridge(gram, REFIT)
             missed = (wanted - self._lost @ codes) @ codes.T
             self._lost = self._lost + np.linalg.solve(gram, missed.T).T
+            self.left_over = (wanted - self._lost @ codes).T
 
     def __call__(self, known: FloatArray, progress: Progress) -> FloatArray:
         """Predict the lost rows, shape (columns, lost rows)."""

@@ -74,6 +74,24 @@ class Recovery:
             lost.append(self._view.lost(motion, places, angles))
         self._model = CodeModel(np.concatenate(known), np.concatenate(lost), codes, progress)
 
+    def doubt(self) -> FloatArray | None:
+        """Say how unsure the found places are, from what is missed of what was learned from.
+
+        Returns
+        -------
+        ndarray, shape (targets, targets), or None
+            The covariance of a coordinate in the middle of a window, in mm squared. None where
+            nothing but atoms was learned from.
+        """
+        left = self._model.left_over
+        if not len(left):
+            return None
+        rows = left.reshape(len(left), len(self._view.span.offsets), -1, 3)
+        middle = len(self._view.span.offsets) // 2
+        missed = np.linalg.pinv(self._view.rows.signs) @ rows[:, middle]
+        covariance: FloatArray = np.einsum("eti,eui->tu", missed, missed) / (3 * len(missed))
+        return covariance
+
     def ask(self, start: int, stop: int, progress: Progress) -> FloatArray:
         """Find the lost markers in a stretch in which all helpers are seen.
 
