@@ -10,7 +10,7 @@ What is different here, each by measurement (`bench paper`):
 - differences and not their signed squares (eq. 5);
 - the whole body and not five parts (tables 1 and 2), with differences bridged across missing
   markers (see `sparse.rows`);
-- windows whose frames are spread over a third of a second, with the body's heading taken out;
+- windows whose frames are spread over 0.33 or 0.6 s, with the body's heading taken out;
 - the dictionary is windows of the recording itself, or of a training set, and its lost rows are
   fitted to further windows (see `sparse.code_model`);
 - what the dictionary leaves over at the edges of the gap is carried into it;
@@ -40,6 +40,9 @@ from mocapmend_algorithms.sparse.body import Body, find_body
 from mocapmend_algorithms.sparse.examples import Motion
 from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 
+WINDOW_ALONE_MS = 330.0
+WINDOW_TRAINED_MS = 600.0
+"""Where a training set shows enough of such long stretches."""
 FADE_S = 0.3
 """Time in which what is left over at the edges of a gap falls to 1/e: 0.25 to 0.5 s do as well."""
 
@@ -54,10 +57,11 @@ class BoneDictionaryParams(MotionCodeParams):
         text="Examples: stretches of motion as they are. Trained: the dictionaries of the five "
         "parts of a skeleton that a training set has, as printed in the paper; less exact.",
     )
-    window_ms: float = option(
-        330.0,
+    window_ms: float | None = option(
+        None,
         label="Window",
-        text="The stretch of motion that is coded as one: six frames spread over it.",
+        text="The stretch of motion that is coded as one: six frames spread over it. Automatic: "
+        "330 ms, or 600 ms with a training set.",
         minimum=0.0,
         maximum=5000.0,
         unit="ms",
@@ -68,6 +72,12 @@ class BoneDictionaryParams(MotionCodeParams):
         text="The bones of a skeleton get their exact lengths; markers on skin are pulled towards "
         "theirs as far as these are sure.",
     )
+
+    def window(self, others: Sequence[Motion]) -> float:
+        """Return what a window spans in ms, given the training set."""
+        if self.window_ms is not None:
+            return self.window_ms
+        return WINDOW_TRAINED_MS if others else WINDOW_ALONE_MS
 
 
 def bone_dictionary(
@@ -148,7 +158,7 @@ def fill_bare(
         said = parts.tell(recording, observed, asked, params, progress)
     else:
         codes = params.codes(others, guided=True)
-        way = Way(params.window_ms, rows="bones", heading=True, parts=False, codes=codes)
+        way = Way(params.window(others), rows="bones", heading=True, parts=False, codes=codes)
         said = tell_gaps(recording, observed, asked, way, body, others, params, progress)
     filled = meet_edges(recording, observed, asked, said, params, FADE_S)
     if exact:

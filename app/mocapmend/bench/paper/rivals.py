@@ -25,8 +25,7 @@ from mocapmend_algorithms.sparse.rows import Rows
 Find = Callable[[Case], FloatArray]
 """Returns places in cm, shape (frames of the gap, lost, 3)."""
 MOST_WINDOWS = 6000
-BEST_MS = 600.0
-"""Of the window: the best on the validation trials; the program's default is shorter."""
+BEST_MS = bone_dictionary.WINDOW_TRAINED_MS
 POSES = 200
 
 
@@ -317,4 +316,4 @@ def rivals(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> list
 
 def before_projection() -> Find:
     """Return the best setting of W18 without its bone projection."""
-    return by_bones(bone_dictionary.BoneDictionaryParams(window_ms=BEST_MS, keep_bones=False))
+    return by_bones(bone_dictionary.BoneDictionaryParams(keep_bones=False))
