@@ -53,7 +53,7 @@ def train_parts(
         name = f"part {at}"
         if name not in training.atoms:
             share = part(progress, at / len(body.parts), (at + 1) / len(body.parts))
-            state, _ = train_part(motions, body, at, settings, share)
+            state = train_part(motions, body, at, settings, share)
             objectives = {**training.settings.get("objectives", {}), name: list(state.objectives)}
             training = replace(
                 training,

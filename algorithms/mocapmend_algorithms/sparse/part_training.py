@@ -57,7 +57,7 @@ def train_part(
     settings: PartSettings,
     progress: Progress,
     earlier: Trained | None = None,
-) -> tuple[Trained, PartDictionary]:
+) -> Trained:
     """Train one part's dictionary on motions with standard lengths.
 
     Parameters
@@ -78,16 +78,13 @@ def train_part(
     Returns
     -------
     Trained
-        The state.
-    PartDictionary
-        What it gives.
+        The state, whose dictionary `assemble_part` completes.
     """
     rows, away, scale = _training_rows(motions, body, at)
     seen = _masks(rows, body, away.shape[1], np.random.default_rng(settings.seed))
     problem = rows.problem(away, seen, np.sign(away), scale, np.float32)
     state = earlier or begin(_full(problem, away, scale), settings.atoms)
-    state = train(problem, state, rounds=settings.rounds, progress=progress)
-    return state, _part_dictionary(rows, state.dictionary, away, scale)
+    return train(problem, state, rounds=settings.rounds, progress=progress)
 
 
 def assemble_part(
@@ -103,7 +100,11 @@ def assemble_part(
         What that gave.
     """
     rows, away, scale = _training_rows(motions, body, at)
-    return _part_dictionary(rows, atoms, away, scale)
+    mean = away.mean(axis=1)
+    thinned = away[:, :: max(1, away.shape[1] // MOST_FOR_COMPONENTS)] - mean[:, None]
+    left, size, _ = np.linalg.svd(thinned, full_matrices=False)
+    kept = left[:, :COMPONENTS] * (size[:COMPONENTS] / np.sqrt(thinned.shape[1]))
+    return PartDictionary(rows, atoms.astype(np.float64), scale, mean, kept)
 
 
 def _training_rows(
@@ -119,16 +120,6 @@ def _training_rows(
     ]
     away = np.concatenate(columns, axis=1)
     return rows, away, float(np.mean(away**4)) ** 0.5
-
-
-def _part_dictionary(
-    rows: PartRows, atoms: FloatArray, away: FloatArray, scale: float
-) -> PartDictionary:
-    mean = away.mean(axis=1)
-    thinned = away[:, :: max(1, away.shape[1] // MOST_FOR_COMPONENTS)] - mean[:, None]
-    left, size, _ = np.linalg.svd(thinned, full_matrices=False)
-    kept = left[:, :COMPONENTS] * (size[:COMPONENTS] / np.sqrt(thinned.shape[1]))
-    return PartDictionary(rows, atoms.astype(np.float64), scale, mean, kept)
 
 
 def _full(problem: Problem, away: FloatArray, scale: float) -> Problem:

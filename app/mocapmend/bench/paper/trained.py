@@ -80,7 +80,7 @@ def parts_for(trial: Trial, settings: PartSettings) -> TrainedParts:
                 sys.stderr.write(f"\rtraining part {at + 1} of 5: {100 * share:3.0f} % ")
                 sys.stderr.flush()
 
-        state, _ = train_part(motions, body, at, settings, tell)
+        state = train_part(motions, body, at, settings, tell)
         atoms[f"part {at}"] = state.dictionary
         objectives[at] = state.objectives
     head = {
