@@ -57,3 +57,17 @@ def test_what_the_fill_leaves_open_stays_open(points):
     result = fill_with_bands(record(punch(points, [gap])), [gap], lambda *_: refused, no_progress)
     assert result.unfilled == refused.unfilled
     assert not result.notes
+
+
+def test_postures_that_are_new_count_less_for_what_has_learned_elsewhere(points):
+    points[100:120, 2:, 0] += 400.0 * np.arange(4)
+    strange, usual = Gap(0, 105, 115), Gap(0, 300, 310)
+    recording = record(punch(points, [strange, usual]))
+    radii = {}
+    for taught in (False, True):
+        fill = Liar(points, constant_error)
+        result = fill_with_bands(recording, [strange, usual], fill, no_progress, taught=taught)
+        radii[taught] = [np.median(patch.r90) for patch in result.patches]
+    surprise = [known / usually for known, usually in radii.values()]
+    assert surprise[0] > 4
+    assert surprise[1] == pytest.approx(np.sqrt(surprise[0]), rel=0.3)

@@ -118,7 +118,7 @@ def bone_dictionary(
     else:
         others = read_motions(params.training, recording, body)
         fill = partial(fill_bare, params=params, body=body, others=others)
-    return fill_with_bands(recording, gaps, fill, progress)
+    return fill_with_bands(recording, gaps, fill, progress, taught=bool(params.training))
 
 
 def fill_bare(

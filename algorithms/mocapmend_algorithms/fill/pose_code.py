@@ -124,7 +124,8 @@ def pose_code(
     TrainingSetError
         If the training set cannot be read, or has markers that the recording lacks.
     """
-    return fill_with_bands(recording, gaps, bare_pose_code(recording, params), progress)
+    fill = bare_pose_code(recording, params)
+    return fill_with_bands(recording, gaps, fill, progress, taught=bool(params.training))
 
 
 def bare_pose_code(recording: Recording, params: PoseCodeParams) -> BareFill:

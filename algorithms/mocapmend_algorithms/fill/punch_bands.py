@@ -21,6 +21,8 @@ from mocapmend_algorithms.recording import Recording
 
 NOVELTY_FLOOR = 0.1
 """Share of the usual novelty below which postures are equally well known."""
+TAUGHT_POWER = 0.5
+"""Of the novelty where a method has learned elsewhere too, and knows some of what is new here."""
 GROWTH = 0.25
 """Power by which errors grow with the length where the stretches are shorter than the gap."""
 BARE_SHARE = 0.2
@@ -28,7 +30,12 @@ BARE_SHARE = 0.2
 
 
 def fill_with_bands(
-    recording: Recording, gaps: Sequence[Gap], fill: BareFill, progress: Progress
+    recording: Recording,
+    gaps: Sequence[Gap],
+    fill: BareFill,
+    progress: Progress,
+    *,
+    taught: bool = False,
 ) -> FillResult:
     """Fill gaps and measure on the recording itself how wrong the fill is.
 
@@ -42,6 +49,8 @@ def fill_with_bands(
         The method; it is called once for the gaps and a few times per gap for the self-tests.
     progress : Progress
         Called often, from 0 to 1.
+    taught : bool
+        Whether the method has learned from other recordings too.
 
     Returns
     -------
@@ -56,6 +65,7 @@ def fill_with_bands(
     for patch in bare.patches:
         windows.setdefault(Window.of(observed, patch.gap), []).append(patch.gap.marker)
     bands: dict[Gap, tuple[Patch, int, int]] = {}
+    power = TAUGHT_POWER if taught else 1.0
     shares = np.linspace(BARE_SHARE, 1.0, len(windows) + 1).tolist()
     by_gap = {patch.gap: patch for patch in bare.patches}
     for done, (window, markers) in enumerate(windows.items()):
@@ -63,7 +73,7 @@ def fill_with_bands(
         measured = measure(recording, observed, window, markers, fill, share)
         for marker in markers:
             gap = Gap(marker, window.start, window.stop)
-            bands[gap] = _banded(by_gap[gap], measured, window)
+            bands[gap] = _banded(by_gap[gap], measured, window, power)
     progress(1.0)
     notes = {
         gap: {"self_tests": tests, "tested_frames": frames, **bare.notes.get(gap, {})}
@@ -72,20 +82,22 @@ def fill_with_bands(
     return FillResult(tuple(bands[p.gap][0] for p in bare.patches), bare.unfilled, notes)
 
 
-def _banded(patch: Patch, measured: Measured, window: Window) -> tuple[Patch, int, int]:
+def _banded(
+    patch: Patch, measured: Measured, window: Window, power: float
+) -> tuple[Patch, int, int]:
     errors, novelty = measured.errors[patch.gap.marker], measured.novelty[patch.gap.marker]
     count, length = errors.shape
     if count < LEAST_PLACES:
         return patch, 0, 0
     floor = NOVELTY_FLOOR * float(np.sqrt(np.mean(novelty**2)))
     if floor > 0:
-        errors = errors / np.hypot(novelty, floor)
+        errors = errors / np.hypot(novelty, floor) ** power
     shape = _shape(errors, symmetric=window.before == window.after)
     band = calibrate(errors, np.zeros(count), count, shape)
     at, known = np.linspace(0, 1, window.length), np.linspace(0, 1, length)
     scale = np.full(window.length, (window.length / length) ** GROWTH)
     if floor > 0:
-        scale *= np.hypot(measured.own_novelty, floor)
+        scale *= np.hypot(measured.own_novelty, floor) ** power
     sigma, r90 = np.interp(at, known, band.sigma), np.interp(at, known, band.r90)
     return replace(patch, sigma=scale * sigma, r90=scale * r90), count, length
 

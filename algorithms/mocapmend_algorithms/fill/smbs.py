@@ -66,7 +66,7 @@ def smbs(
     body = find_body(recording, seen_outside(recording.present, gaps))
     others = read_motions(params.training, recording, body)
     fill = partial(fill_bare, params=params, body=body, others=others)
-    return fill_with_bands(recording, gaps, fill, progress)
+    return fill_with_bands(recording, gaps, fill, progress, taught=bool(params.training))
 
 
 def fill_bare(
