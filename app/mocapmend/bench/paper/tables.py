@@ -31,6 +31,7 @@ SWEPT = ("TSMC, plain", "TSMC", "SMBS", "ridge, W18's windows", "W18, as printed
 SPECTRUM = "49_18"
 """Stands for W18's 49_02: standing on one leg."""
 BEST, SMBS = "W18, best", "SMBS"
+ALONE, TAUGHT = "auto", "auto, the trials given"
 RATIOS = (
     ("ridge, W18's windows", 0.8),
     ("ridge, best's windows", 0.8),
@@ -39,6 +40,8 @@ RATIOS = (
     (SMBS, 1.0),
 )
 """What the best setting is to be of others' errors."""
+AUTO_RATIO = 1.1
+"""What `auto` is to be of the error of the best other method."""
 VALUES = 12
 
 
@@ -273,6 +276,14 @@ def targets(rows: Sequence[Mapping[str, Cell]], grids: Sequence[Grid]) -> Grid:
                     how = ", projected" if projected else ""
                     against = _error(rows, motion, points, rival, projected=projected)
                     add(f"{motion}, {points} points: {BEST} / {rival}{how}", best / against, most)
+            errors = {
+                method: _error(rows, motion, points, method, projected=False)
+                for method in dict.fromkeys(str(row["method"]) for row in rows)
+            }
+            taught = errors.pop(TAUGHT)
+            errors.pop(ALONE)
+            name, least = min(errors.items(), key=lambda one: one[1])
+            add(f"{motion}, {points} points: {TAUGHT} / {name}", taught / least, AUTO_RATIO)
     by_key = {grid.key: grid.rows for grid in grids}
     bones = [float(row["bones_after_cm"] or 0) for row in by_key["noise_free"]]
     add("bone RMSE without noise, cm", max(bones), 1e-5)
