@@ -6,6 +6,9 @@ recording and with the gap's companions, and what they leave over sets the weigh
 the expected error and the band. Brief gaps have members that look at time alone, and a cubic curve
 takes the place of the blend where its own tests promise much more: donors that come and go leave
 few stretches to test on. Where the marker has no donors, time alone is left.
+
+With a training set, windows of motion that are coded by it are tested on the same stretches, and
+blended with the rest where they err less there.
 """
 
 from collections.abc import Sequence
@@ -71,10 +74,11 @@ BRIEF_CANDIDATES = ((NEAR, (POSE, BOTH)), *CANDIDATES[1:])
 """Of brief gaps, which the marker's own samples tell of as well as time in a frame does."""
 PULL = 0.1
 CODED_PULL = 0.03
+"""Between what was learned here and codes: often one is much better."""
 LENGTH_POWER = 0.75
 CODED_LENGTH_POWER = 0.25
-"""By how much errors grow with the length where the trials are shorter than the gap: what was
-learned elsewhere holds on."""
+"""Powers by which both are taken to err more where the trials are shorter than the gap: what was
+learned elsewhere too does not depend on samples beside it."""
 FEW = 6
 """With fewer donors, time alone is a candidate for gaps of any length."""
 PROMISING = 0.25
@@ -88,7 +92,7 @@ SHORT_S = 0.05
 SHORT_SIZE = Size(frames=200, trials=12, judged=8, rest=50)
 """Of the shortest gaps there are often hundreds, and the samples beside them say almost all."""
 CODED_TRIALS = 8
-"""Most tests with a training set, which are dear."""
+"""With a training set, where tests are dear."""
 ENOUGH = 3 * SIZE.frames
 
 OWN_SHARE = 0.2
@@ -123,7 +127,7 @@ def auto(
         Those of markers that are never seen stay open, and so do those at the beginning and the
         end where the marker has no donors.
     params : AutoParams
-        Whose donors to take.
+        Whose donors to take, and what to learn from beside the recording.
     progress : Progress
         Called several times per gap.
 
@@ -132,6 +136,11 @@ def auto(
     FillResult
         With `donors`, `self_tests` and the `weights` of the blend in the notes; a gap with a cubic
         curve has neither donors nor weights, but `curve`.
+
+    Raises
+    ------
+    TrainingSetError
+        If the training set cannot be read, or is of other markers.
     """
     if not params.training:
         return _fill_all(recording, gaps, params, None, progress)

@@ -1,7 +1,6 @@
 """Candidate of `auto`: sparse codes of windows of motion, as `bone-dictionary` has them.
 
-Where a training set is given, or the bones of a skeleton are known, they find neighbours together
-that no donor beside the gap could tell one by one.
+With a training set they find neighbours together that no donor beside the gap tells one by one.
 """
 
 from collections.abc import Sequence
@@ -22,6 +21,7 @@ from mocapmend_algorithms.sparse.body import Body
 from mocapmend_algorithms.sparse.examples import Motion
 
 Key = tuple[Window, bytes, tuple[int, ...]]
+"""A window, the markers that have it, and where it is tried; nowhere for the gaps themselves."""
 BARE_SHARE = 0.2
 """Of the progress: the fill itself; the trials take the rest."""
 
@@ -49,8 +49,7 @@ class CodedMotion:
     params: BoneDictionaryParams
     body: Body
     others: Sequence[Motion]
-    _filled: dict[Gap, FloatArray] = field(default_factory=dict)
-    _tried: dict[Key, dict[Gap, FloatArray]] = field(default_factory=dict)
+    _known: dict[Key, dict[Gap, FloatArray]] = field(default_factory=dict, init=False)
 
     def candidate(self, case: Case, progress: Progress) -> Candidate | None:
         """Fill a gap and its trials.
@@ -70,43 +69,49 @@ class CodedMotion:
         gap, trials = case.gap, case.lesson.trials
         window = Window.of(self.observed, gap)
         members = np.flatnonzero(window.alike(self.observed))
-        if gap not in self._filled:
-            together = [Gap(marker, gap.start, gap.stop) for marker in members.tolist()]
-            share = part(progress, 0.0, BARE_SHARE)
-            self._filled.update(self._fill(self.observed, together, share))
-        tried = self._try(window, members, trials, part(progress, BARE_SHARE, 1.0))
-        wanted = [Gap(gap.marker, trial.start, trial.stop) for trial in trials]
-        if gap not in self._filled or any(one not in tried for one in wanted):
+        values = self._gaps(window, members, part(progress, 0.0, BARE_SHARE)).get(gap)
+        if values is None:
             return None
+        tried = self._trials(window, members, trials, part(progress, BARE_SHARE, 1.0))
         errors = []
-        for trial, one in zip(trials, wanted, strict=True):
+        for trial in trials:
+            told = tried.get(Gap(gap.marker, trial.start, trial.stop))
+            if told is None:
+                return None
             judged = trial.hidden[trial.judged]
-            told = tried[one][case.lesson.frames[judged] - trial.start]
-            errors.append(case.target[judged] - told)
+            errors.append(case.target[judged] - told[case.lesson.frames[judged] - trial.start])
         spreads = tuple(np.ones(len(error)) for error in errors)
-        return Candidate(self._filled[gap], np.ones(gap.length), tuple(errors), spreads)
+        return Candidate(values, np.ones(gap.length), tuple(errors), spreads)
 
-    def _try(
+    def _gaps(self, window: Window, members: IntArray, progress: Progress) -> dict[Gap, FloatArray]:
+        """Fill the gaps of a window, all at once."""
+        key = window, members.tobytes(), ()
+        if key not in self._known:
+            gaps = [Gap(marker, window.start, window.stop) for marker in members.tolist()]
+            self._known[key] = self._fill(self.observed, gaps, progress)
+        return self._known[key]
+
+    def _trials(
         self, window: Window, members: IntArray, trials: Sequence[Trial], progress: Progress
     ) -> dict[Gap, FloatArray]:
         """Fill the trials of a gap, as it is missing; its companions' are often the same."""
-        starts = [trial.start for trial in trials]
-        key = window, members.tobytes(), tuple(starts)
-        if key not in self._tried:
+        starts = tuple(trial.start for trial in trials)
+        key = window, members.tobytes(), starts
+        if starts and key not in self._known:
             found: dict[Gap, FloatArray] = {}
-            length = trials[0].stop - trials[0].start if trials else 0
+            length = trials[0].stop - trials[0].start
             runs = self._runs(starts, length)
             for done, places in enumerate(runs):
                 hidden = punch(self.observed, window, members, np.array(places), length)
                 gaps = [Gap(m, p, p + length) for m in members.tolist() for p in places]
                 share = part(progress, done / len(runs), (done + 1) / len(runs))
                 found |= self._fill(hidden, gaps, share)
-            self._tried[key] = found
-        return self._tried[key]
+            self._known[key] = found
+        return self._known[key]
 
     def _runs(self, starts: Sequence[int], length: int) -> list[list[int]]:
         """Deal trials to runs in which they are apart and hide few enough frames."""
-        most = max(int(HIDDEN_SHARE * len(self.observed)) // max(length, 1), 1)
+        most = max(int(HIDDEN_SHARE * len(self.observed)) // length, 1)
         runs: list[list[int]] = []
         for start in starts:
             for run in runs:
