@@ -81,6 +81,27 @@ def test_a_gap_alone_is_filled_as_with_its_neighbours(raw, training):
     np.testing.assert_allclose(alone.values, together[gaps[1]], atol=1e-9)
 
 
+@pytest.mark.parametrize("seen", [1, 4])
+def test_a_marker_that_is_hardly_seen_is_taken_from_the_training_set(truth, training, seen):
+    raw = hidden(truth, ARM, seen, truth.frames)
+    gaps = find_gaps(raw.present)
+    result = by_auto(raw, gaps, training=training)
+    for gap, filled in values(result).items():
+        assert np.abs(filled - truth.points[gap.start :, gap.marker]).max() * truth.mm < 20
+        assert result.notes[gap]["self_tests"] == 0
+        assert result.notes[gap]["weights"][-1] == 1
+    assert all(np.isnan(patch.expected_error) for patch in result.patches)
+    left = by_auto(raw, gaps, training=training, edges="leave")
+    assert not left.patches
+
+
+def test_donors_that_are_named_are_not_passed_over(truth, training):
+    raw = hidden(truth, [*ARM, NAMES.index("root")], 60, 100)
+    result = by_auto(raw, [Gap(ARM[0], 60, 100)], training=training, donors="root")
+    (unfilled,) = result.unfilled
+    assert "root" in unfilled.reason
+
+
 def test_a_set_without_the_marker_changes_nothing_but_the_bones(tmp_path):
     path = tmp_path / "without.npz"
     rest = [name for name in NAMES if name != NAMES[ARM[1]]]

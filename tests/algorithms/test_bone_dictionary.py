@@ -246,6 +246,19 @@ def test_a_training_set_alone_may_be_enough_and_gets_the_lengths_of_the_recordin
     assert min(note["examples"] for note in result.notes.values()) > 100
 
 
+@pytest.mark.parametrize("seen", [1, 9])
+def test_a_training_set_tells_markers_that_are_hardly_seen(training, seen):
+    recording = walker(320)
+    raw = lose(recording, THREE, seen, 320)
+    assert {one.reason for one in fill(raw).unfilled} == {
+        f"only {seen} frames show the marker and those that predict it: this method needs 10"
+    }
+    points = repaired(raw, fill(raw, training=training))
+    assert np.isfinite(points).all()
+    assert error(recording, raw, points) < 30
+    assert off(recording, raw, points).max() < 1e-6
+
+
 def test_a_training_set_may_have_another_axis_up(tmp_path, training):
     other = another_subject()
     turn = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])

@@ -193,12 +193,14 @@ def _fill_all(
     def fill(gap: Gap, share: Progress) -> Filled:
         # Who names donors wants to see what these can do.
         curve = None if params.donors else _curve(curves, gap, recording)
+        others = None if params.donors else coded
         try:
             filled = _fill(_case(survey, gap, params, coded), recording, coded, share)
         except LeftOpenError:
-            if curve is None:
+            untested = curve or _coded_alone(others, gap, recording, share)
+            if untested is None:
                 raise
-            return curve
+            return untested
         return curve if curve and _more_promising(curve[0], filled[0]) else filled
 
     return fill_each(gaps, fill, progress)
@@ -218,6 +220,18 @@ def _curve(curves: Windows, gap: Gap, recording: Recording) -> Filled | None:
     except LeftOpenError:
         return None
     return patch, {**notes, "curve": True}
+
+
+def _coded_alone(
+    coded: CodedMotion | None, gap: Gap, recording: Recording, progress: Progress
+) -> Filled | None:
+    """Fill a gap whose marker is hardly seen in this recording, but in the training set."""
+    values = None if coded is None else coded.values(gap, progress)
+    if values is None:
+        return None
+    unknown = np.full(gap.length, np.nan)
+    notes = {"donors": (), "self_tests": 0, "weights": (1.0,)}
+    return Patch(gap, values / recording.mm, unknown, unknown), notes
 
 
 def _more_promising(curve: Patch, blended: Patch) -> bool:
@@ -281,6 +295,9 @@ def _whole(
     other = coded.candidate(case, part(progress, OWN_SHARE, 1.0))
     if other is None:
         return own, weights
+    if not case.lesson.trials:
+        # What is learned here from a few frames cannot be tested.
+        return other, np.append(0 * weights, 1.0)
     longer = case.lesson.times_longer(case.gap)
     both = grown(own, longer**LENGTH_POWER), grown(other, longer**CODED_LENGTH_POWER)
     if both[1].error > both[0].error:

@@ -69,7 +69,7 @@ class CodedMotion:
         gap, trials = case.gap, case.lesson.trials
         window = Window.of(self.observed, gap)
         members = np.flatnonzero(window.alike(self.observed))
-        values = self._gaps(window, members, part(progress, 0.0, BARE_SHARE)).get(gap)
+        values = self.values(gap, part(progress, 0.0, BARE_SHARE))
         if values is None:
             return None
         tried = self._trials(window, members, trials, part(progress, BARE_SHARE, 1.0))
@@ -83,13 +83,28 @@ class CodedMotion:
         spreads = tuple(np.ones(len(error)) for error in errors)
         return Candidate(values, np.ones(gap.length), tuple(errors), spreads)
 
-    def _gaps(self, window: Window, members: IntArray, progress: Progress) -> dict[Gap, FloatArray]:
-        """Fill the gaps of a window, all at once."""
+    def values(self, gap: Gap, progress: Progress) -> FloatArray | None:
+        """Fill a gap, and those that others have in the same frames.
+
+        Parameters
+        ----------
+        gap : Gap
+            The gap.
+        progress : Progress
+            Called often.
+
+        Returns
+        -------
+        ndarray, shape (length, 3), or None
+            In mm; None where the codes do not fill it.
+        """
+        window = Window.of(self.observed, gap)
+        members = np.flatnonzero(window.alike(self.observed))
         key = window, members.tobytes(), ()
         if key not in self._known:
             gaps = [Gap(marker, window.start, window.stop) for marker in members.tolist()]
             self._known[key] = self._fill(self.observed, gaps, progress)
-        return self._known[key]
+        return self._known[key].get(gap)
 
     def _trials(
         self, window: Window, members: IntArray, trials: Sequence[Trial], progress: Progress

@@ -190,6 +190,9 @@ class _Teller:
         self._own = Motion(recording.points * recording.mm, observed)
         self._recording, self._observed = recording, observed
         self._way, self._body, self._others = way, body, others
+        self._taught: BoolArray = np.zeros(recording.markers, dtype=np.bool_)
+        for motion in others:
+            self._taught |= motion.seen.any(axis=0)
         self._span = window_span(recording, way.window_ms)
         self._shortest = max(2, round(SHORTEST_PIECE_S * recording.rate))
         self._recoveries: dict[tuple[bytes, bytes], Recovery] = {}
@@ -205,7 +208,7 @@ class _Teller:
         for done, (a, b, seen, shown) in enumerate(pieces):
             learn = part(progress, shares[2 * done], shares[2 * done + 1])
             ask = part(progress, shares[2 * done + 1], shares[2 * done + 2])
-            if shown < LEAST_EXAMPLES:
+            if shown < LEAST_EXAMPLES and not self._taught[gap.marker]:
                 return (
                     f"only {shown} frames show the marker and those that predict it: this method "
                     f"needs {LEAST_EXAMPLES}"
@@ -255,6 +258,8 @@ class _Teller:
             there = near
         there[marker] = True
         together, complete = seen_together(self._observed, np.flatnonzero(there), marker)
+        if complete.size < LEAST_EXAMPLES and self._taught[marker]:
+            together = np.flatnonzero(there & self._taught)
         helpers = np.setdiff1d(together, [marker])
         if helpers.size >= LEAST_HELPERS or stop - start <= self._shortest:
             yield start, stop, helpers, complete.size
