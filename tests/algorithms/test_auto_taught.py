@@ -10,7 +10,7 @@ from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.fill.blending import blended, grown
 from mocapmend_algorithms.fill.bone_dictionary import BoneDictionaryParams, fill_bare
 from mocapmend_algorithms.fill.candidate import Candidate
-from mocapmend_algorithms.fill.coded_motion import CodedMotion
+from mocapmend_algorithms.fill.coded_motion import CodedMotion, joined
 from mocapmend_algorithms.fill.lessons import Size
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.sparse.body import find_body
@@ -203,3 +203,17 @@ def test_without_trials_all_weigh_alike():
     np.testing.assert_allclose(weights, 0.5)
     assert whole.errors == ()
     np.testing.assert_allclose(whole.values, 2.0)
+
+
+def test_codes_take_part_where_they_err_no_more_and_more_so_in_long_gaps():
+    one, other = candidate(1.0, [1.0, -1.0] * 3), candidate(0.0, [1.1, 1.1, -1.1] * 2)
+    assert joined(one, other, 1.0) == (one, 0.0)
+    whole, weight = joined(one, other, 2.0)
+    assert 0.5 < weight < 0.9
+    np.testing.assert_allclose(whole.values, 1 - weight)
+    assert joined(one, other, 8.0)[1] > weight
+
+
+def test_codes_stand_alone_where_nothing_is_tried():
+    coded = candidate(3.0, [])
+    assert joined(candidate(1.0, []), coded, 1.0) == (coded, 1.0)

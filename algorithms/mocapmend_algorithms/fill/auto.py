@@ -20,11 +20,11 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill import pose_regression, time_regression
 from mocapmend_algorithms.fill.band import SPEED_DONORS, band
-from mocapmend_algorithms.fill.blending import blended, grown
+from mocapmend_algorithms.fill.blending import blended
 from mocapmend_algorithms.fill.bone_dictionary import BoneDictionaryParams
 from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
-from mocapmend_algorithms.fill.coded_motion import CodedMotion
+from mocapmend_algorithms.fill.coded_motion import CodedMotion, joined
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.donors import Donors
 from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
@@ -73,12 +73,6 @@ CANDIDATES: tuple[tuple[View, tuple[Kernel, ...]], ...] = (
 BRIEF_CANDIDATES = ((NEAR, (POSE, BOTH)), *CANDIDATES[1:])
 """Of brief gaps, which the marker's own samples tell of as well as time in a frame does."""
 PULL = 0.1
-CODED_PULL = 0.03
-"""Between what was learned here and codes: often one is much better."""
-LENGTH_POWER = 0.75
-CODED_LENGTH_POWER = 0.25
-"""Powers by which both are taken to err more where the trials are shorter than the gap: what was
-learned elsewhere too does not depend on samples beside it."""
 FEW = 6
 """With fewer donors, time alone is a candidate for gaps of any length."""
 PROMISING = 0.25
@@ -295,16 +289,8 @@ def _whole(
     other = coded.candidate(case, part(progress, OWN_SHARE, 1.0))
     if other is None:
         return own, weights
-    if not case.lesson.trials:
-        # What is learned here from a few frames cannot be tested.
-        return other, np.append(0 * weights, 1.0)
-    longer = case.lesson.times_longer(case.gap)
-    both = grown(own, longer**LENGTH_POWER), grown(other, longer**CODED_LENGTH_POWER)
-    if both[1].error > both[0].error:
-        # Even a small weight of a worse candidate does harm, on the whole.
-        return own, np.append(weights, 0.0)
-    whole, (mine, theirs) = blended(both, CODED_PULL)
-    return whole, np.append(mine * weights, theirs)
+    whole, theirs = joined(own, other, case.lesson.times_longer(case.gap))
+    return whole, np.append((1 - theirs) * weights, theirs)
 
 
 def _candidates(case: Case, progress: Progress) -> list[Candidate]:

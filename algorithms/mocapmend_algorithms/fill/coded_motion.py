@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.blending import blended, grown
 from mocapmend_algorithms.fill.bone_dictionary import BoneDictionaryParams, fill_bare
 from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
@@ -22,6 +23,12 @@ from mocapmend_algorithms.sparse.examples import Motion
 
 Key = tuple[Window, bytes, tuple[int, ...]]
 """A window, the markers that have it, and where it is tried; nowhere for the gaps themselves."""
+PULL = 0.03
+"""Towards equal weights; weak, since often one of two is much better."""
+OWN_LENGTH_POWER = 0.75
+LENGTH_POWER = 0.25
+"""Powers by which what was learned here, and codes, are taken to err more where the trials are
+shorter than the gap: what was learned elsewhere too does not depend on samples beside it."""
 BARE_SHARE = 0.2
 """Of the progress: the fill itself; the trials take the rest."""
 
@@ -151,3 +158,32 @@ class CodedMotion:
             others=self.others,
         )
         return {patch.gap: patch.values * self.recording.mm for patch in filled.patches}
+
+
+def joined(own: Candidate, coded: Candidate, longer: float) -> tuple[Candidate, float]:
+    """Blend codes with what was learned from the recording alone, if the trials speak for it.
+
+    Parameters
+    ----------
+    own : Candidate
+        What was learned from the recording.
+    coded : Candidate
+        The codes.
+    longer : float
+        How many times longer than the trials the gap is.
+
+    Returns
+    -------
+    candidate : Candidate
+        Codes alone where nothing could be tried: the recording shows too little of the marker then.
+    weight : float
+        Of the codes. It is 0 where they err more in the trials, since on the whole even a small
+        weight does harm then.
+    """
+    if not coded.errors:
+        return coded, 1.0
+    both = grown(own, longer**OWN_LENGTH_POWER), grown(coded, longer**LENGTH_POWER)
+    if both[1].error > both[0].error:
+        return own, 0.0
+    whole, weights = blended(both, PULL)
+    return whole, float(weights[1])
