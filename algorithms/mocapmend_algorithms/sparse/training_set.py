@@ -132,6 +132,7 @@ def gather(
     ----------
     recordings : sequence of Recording
         With the same markers, in any order and unit. Only frames that show all markers are taken.
+        Those in which another axis points up than in the first are turned.
     about : str
         What they are, for people.
     rate : float, optional
@@ -151,7 +152,7 @@ def gather(
     ------
     TrainingSetError
         If there is no recording, no common marker, no complete frame, if a recording lacks one of
-        the given markers, if up axes differ, or if rates do and none is given.
+        the given markers, or if rates differ and none is given.
     """
     if not recordings:
         raise TrainingSetError("there is no recording to learn from")
@@ -172,11 +173,9 @@ def gather(
                 f"the recordings have different frame rates: {first.rate:g} and "
                 f"{recording.rate:g} Hz"
             )
-        if recording.up != first.up:
-            raise TrainingSetError(
-                f"the recordings have different up axes: {first.up} and {recording.up}"
-            )
         points = recording.points[:, [own.index(name) for name in common]] * recording.mm
+        if recording.up != first.up:
+            points = points @ _turn(recording.up, first.up).T
         seen = np.asarray(~np.isnan(points).any(axis=(1, 2)))
         poses += [_sampled(points[a:b], recording.rate, common_rate) for a, b in runs(seen)]
     if not poses:
