@@ -89,7 +89,7 @@ def test_doubt_is_the_scatter_of_what_examples_are_missed_by():
 
     def asked(examples):
         codes = CodeSettings(40, examples, 0.1, guided=True)
-        return Recovery(motion, (), rows, Span.over(6, 30), "+y", codes, no_progress).doubt()
+        return Recovery(motion, (), rows, Span.over(6, 30), "+y", codes, no_progress).doubt
 
     covariance = asked(160)
     assert covariance.shape == (2, 2)

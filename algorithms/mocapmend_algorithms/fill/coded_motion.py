@@ -14,7 +14,7 @@ from mocapmend_algorithms.fill.bone_dictionary import BoneDictionaryParams, fill
 from mocapmend_algorithms.fill.candidate import Candidate
 from mocapmend_algorithms.fill.case import Case
 from mocapmend_algorithms.fill.lessons import Trial
-from mocapmend_algorithms.fill.punch import HIDDEN_SHARE, Window, punch
+from mocapmend_algorithms.fill.punch import Window, most_at_once, punch
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
@@ -74,12 +74,10 @@ class CodedMotion:
             None where the codes do not fill the gap and all its trials.
         """
         gap, trials = case.gap, case.lesson.trials
-        window = Window.of(self.observed, gap)
-        members = np.flatnonzero(window.alike(self.observed))
         values = self.values(gap, part(progress, 0.0, BARE_SHARE))
         if values is None:
             return None
-        tried = self._trials(window, members, trials, part(progress, BARE_SHARE, 1.0))
+        tried = self._trials(gap, trials, part(progress, BARE_SHARE, 1.0))
         errors = []
         for trial in trials:
             told = tried.get(Gap(gap.marker, trial.start, trial.stop))
@@ -105,8 +103,7 @@ class CodedMotion:
         ndarray, shape (length, 3), or None
             In mm; None where the codes do not fill it.
         """
-        window = Window.of(self.observed, gap)
-        members = np.flatnonzero(window.alike(self.observed))
+        window, members = self._company(gap)
         key = window, members.tobytes(), ()
         if key not in self._known:
             gaps = [Gap(marker, window.start, window.stop) for marker in members.tolist()]
@@ -114,9 +111,10 @@ class CodedMotion:
         return self._known[key].get(gap)
 
     def _trials(
-        self, window: Window, members: IntArray, trials: Sequence[Trial], progress: Progress
+        self, gap: Gap, trials: Sequence[Trial], progress: Progress
     ) -> dict[Gap, FloatArray]:
         """Fill the trials of a gap, as it is missing; its companions' are often the same."""
+        window, members = self._company(gap)
         starts = tuple(trial.start for trial in trials)
         key = window, members.tobytes(), starts
         if starts and key not in self._known:
@@ -131,9 +129,14 @@ class CodedMotion:
             self._known[key] = found
         return self._known[key]
 
+    def _company(self, gap: Gap) -> tuple[Window, IntArray]:
+        """Return the window of a gap, and the markers that have it."""
+        window = Window.of(self.observed, gap)
+        return window, np.flatnonzero(window.alike(self.observed))
+
     def _runs(self, starts: Sequence[int], length: int) -> list[list[int]]:
         """Deal trials to runs in which they are apart and hide few enough frames."""
-        most = max(int(HIDDEN_SHARE * len(self.observed)) // length, 1)
+        most = most_at_once(length, len(self.observed))
         runs: list[list[int]] = []
         for start in starts:
             for run in runs:

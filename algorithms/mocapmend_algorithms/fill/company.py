@@ -47,6 +47,23 @@ def seen_together(
     return np.sort(markers[order[:kept]]), seen[together[:, kept - 1]]
 
 
+def few_frames(complete: int) -> str:
+    """Say that too few frames are complete to learn from; empty where enough are."""
+    if complete >= LEAST_FRAMES:
+        return ""
+    return (
+        f"only {complete} frames show the marker and those that predict it: this method needs "
+        f"{LEAST_FRAMES}"
+    )
+
+
+def few_helpers(helpers: int, least: int, how: str) -> str:
+    """Say that too few markers are seen, as `how` has it, to tell one; empty where enough are."""
+    if helpers >= least:
+        return ""
+    return f"of the other markers, {helpers} {how}: this method needs {least}"
+
+
 def mean_distances(recording: Recording, observed: BoolArray, marker: int) -> FloatArray:
     """Measure how far all markers are from one.
 

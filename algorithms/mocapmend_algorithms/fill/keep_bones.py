@@ -11,7 +11,7 @@ from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.edges import Doubt
 from mocapmend_algorithms.gaps import Gap, find_gaps
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
+from mocapmend_algorithms.skeleton.projection import project_bones
 from mocapmend_algorithms.sparse.body import LEAST_SPREAD_MM, Body
 
 LEAST_DOUBT = 1e-3
@@ -112,8 +112,7 @@ def projected(
         points[gap.start : gap.stop, gap.marker] = patch.values
         patch_at[gap.start : gap.stop, gap.marker] = number
     for frames, movable in _alike(patch_at):
-        touching = np.isin(body.bones, movable).any(axis=1)
-        bones = BoneConstraints(body.bones[touching], body.lengths[touching] / recording.mm)
+        bones = body.constraints(movable, recording.mm)
         gaps = [filled.patches[number].gap for number in patch_at[frames[0], movable]]
         covariance = _covariance(movable, [doubts.get(gap) for gap in gaps])
         points[np.ix_(frames, movable)] = project_bones(points[frames], movable, bones, covariance)

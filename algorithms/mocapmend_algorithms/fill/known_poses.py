@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, evenly
-from mocapmend_algorithms.fill.company import LEAST_FRAMES, seen_together
+from mocapmend_algorithms.fill.company import few_frames, seen_together
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.training_set import TrainingSet
 
@@ -53,14 +53,8 @@ def of_recording(recording: Recording, most: int) -> Library:
     def library(observed: BoolArray, marker: int) -> KnownPoses:
         seen = np.flatnonzero(observed.any(axis=0))
         markers, complete = seen_together(observed, seen, marker)
-        few = ""
-        if complete.size < LEAST_FRAMES:
-            few = (
-                f"only {complete.size} frames show the marker and those that predict it: this "
-                f"method needs {LEAST_FRAMES}"
-            )
         poses = recording.points[np.ix_(evenly(complete, most), markers)]
-        return KnownPoses(markers, poses, few)
+        return KnownPoses(markers, poses, few_frames(complete.size))
 
     return library
 

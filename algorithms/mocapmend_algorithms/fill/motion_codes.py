@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
-from mocapmend_algorithms.fill.company import seen_together
+from mocapmend_algorithms.fill.company import few_frames, seen_together
 from mocapmend_algorithms.fill.edges import Doubt, EdgeParams, Modelled, obstacle, with_edges
 from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.gaps import Gap
@@ -208,11 +208,9 @@ class _Teller:
         for done, (a, b, seen, shown) in enumerate(pieces):
             learn = part(progress, shares[2 * done], shares[2 * done + 1])
             ask = part(progress, shares[2 * done + 1], shares[2 * done + 2])
-            if shown < LEAST_EXAMPLES and not self._taught[gap.marker]:
-                return (
-                    f"only {shown} frames show the marker and those that predict it: this method "
-                    f"needs {LEAST_EXAMPLES}"
-                )
+            few = few_frames(shown)
+            if few and not self._taught[gap.marker]:
+                return few
             if seen.size < LEAST_HELPERS:
                 return (
                     f"fewer than {LEAST_HELPERS} other markers that are seen often enough are "
@@ -228,7 +226,7 @@ class _Teller:
             values[a - start : b - start] = told[:, targets.tolist().index(gap.marker)]
             helpers.append(int(seen.size))
             examples.append(recovery.examples)
-            missed = recovery.doubt()
+            missed = recovery.doubt
             doubt = None if missed is None else Doubt(targets, missed)
         if not np.isfinite(values).all():
             return "the recording is too short for the windows of this method"
@@ -258,7 +256,7 @@ class _Teller:
             there = near
         there[marker] = True
         together, complete = seen_together(self._observed, np.flatnonzero(there), marker)
-        if complete.size < LEAST_EXAMPLES and self._taught[marker]:
+        if few_frames(complete.size) and self._taught[marker]:
             together = np.flatnonzero(there & self._taught)
         helpers = np.setdiff1d(together, [marker])
         if helpers.size >= LEAST_HELPERS or stop - start <= self._shortest:

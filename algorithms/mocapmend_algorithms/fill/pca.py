@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from mocapmend_algorithms.arrays import BoolArray
-from mocapmend_algorithms.fill.company import LEAST_FRAMES
+from mocapmend_algorithms.fill.company import few_frames, few_helpers
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, obstacle
 from mocapmend_algorithms.fill.params import option
@@ -145,7 +145,9 @@ def _fill(
     groups = choose(recording, observed, [gap for gap in gaps if not said[gap]])
     for done, group in enumerate(groups):
         progress(done / len(groups))
-        reason = _too_little(group, few)
+        reason = few_frames(group.complete.size) or few_helpers(
+            group.helpers.size, LEAST_HELPERS, few
+        )
         if reason:
             said |= dict.fromkeys(group.gaps, reason)
             continue
@@ -159,17 +161,3 @@ def _fill(
         said |= {gap: basis.say(recording, observed, gap) for gap in group.gaps}
     progress(1.0)
     return meet_edges(recording, observed, gaps, said, params)
-
-
-def _too_little(group: Group, few: str) -> str:
-    """Say why nothing can be learned from a group; empty where something can."""
-    if group.complete.size < LEAST_FRAMES:
-        return (
-            f"only {group.complete.size} frames show the marker and those that predict it: this "
-            f"method needs {LEAST_FRAMES}"
-        )
-    if group.helpers.size < LEAST_HELPERS:
-        return (
-            f"of the other markers, {group.helpers.size} {few}: this method needs {LEAST_HELPERS}"
-        )
-    return ""

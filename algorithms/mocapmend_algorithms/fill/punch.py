@@ -119,10 +119,14 @@ def deal(places: IntArray, length: int, frames: int) -> Iterator[IntArray]:
     """
     if not places.size:
         return
-    most = max(int(HIDDEN_SHARE * frames) // length, 1)
-    count = -(-places.size // most)
+    count = -(-places.size // most_at_once(length, frames))
     for first in range(count):
         yield places[first::count]
+
+
+def most_at_once(length: int, frames: int) -> int:
+    """Return how many stretches may be hidden at once of so many frames."""
+    return max(int(HIDDEN_SHARE * frames) // length, 1)
 
 
 def punch(

@@ -33,7 +33,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from mocapmend_algorithms.arrays import BoolArray
-from mocapmend_algorithms.fill.company import LEAST_FRAMES
+from mocapmend_algorithms.fill.company import few_frames, few_helpers
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, obstacle
 from mocapmend_algorithms.fill.params import option
@@ -125,7 +125,9 @@ def _fill(
             segments = Segments.around(
                 observed, gap, around=round(params.around_s * recording.rate)
             )
-            said[gap] = _too_little(segments)
+            said[gap] = few_frames(segments.complete) or few_helpers(
+                segments.helpers.size, LEAST_HELPERS, "are seen throughout the gap"
+            )
             if not said[gap]:
                 groups.setdefault(segments.key, (segments, []))[1].append(gap)
     for done, (segments, among) in enumerate(groups.values()):
@@ -140,18 +142,3 @@ def _fill(
         )
     progress(1.0)
     return meet_edges(recording, observed, gaps, said, params)
-
-
-def _too_little(segments: Segments) -> str:
-    """Say why a matrix cannot be completed; empty where it can."""
-    if segments.complete < LEAST_FRAMES:
-        return (
-            f"only {segments.complete} frames show the marker and those that predict it: this "
-            f"method needs {LEAST_FRAMES}"
-        )
-    if segments.helpers.size < LEAST_HELPERS:
-        return (
-            f"of the other markers, {segments.helpers.size} are seen throughout the gap: this "
-            f"method needs {LEAST_HELPERS}"
-        )
-    return ""

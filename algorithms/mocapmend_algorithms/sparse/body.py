@@ -25,6 +25,7 @@ from mocapmend_algorithms.progress import no_progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import joining_bones, measure_distances
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
+from mocapmend_algorithms.skeleton.projection import BoneConstraints
 
 TRUNK = ("root", "lowerback", "upperback", "thorax", "lowerneck", "upperneck", "head")
 LEFT_LEG = ("lhipjoint", "lfemur", "ltibia", "lfoot", "ltoes")
@@ -100,6 +101,11 @@ class Body:
             depths += above >= 0
             above = np.where(above >= 0, self.parents[above], -1)
         return depths
+
+    def constraints(self, markers: IntArray, mm: float) -> BoneConstraints:
+        """Return the bones that touch some markers, with lengths in a unit of so many mm."""
+        touching = np.isin(self.bones, markers).any(axis=1)
+        return BoneConstraints(self.bones[touching], self.lengths[touching] / mm)
 
     def helpers_of(self, marker: int) -> IntArray:
         """Return the markers of the triple of parts that a marker's part is recovered from."""

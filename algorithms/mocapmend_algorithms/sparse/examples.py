@@ -68,6 +68,15 @@ class View:
         """Return the lost rows of windows that show them."""
         return self._rows(motion, places, self.rows.lost, angles)
 
+    def both(self, chosen: Sequence[tuple[Motion, IntArray]]) -> tuple[FloatArray, FloatArray]:
+        """Return the known and the lost rows of windows of motions that show both."""
+        known, lost = [], []
+        for motion, places in chosen:
+            some, angles = self.known(motion, places)
+            known.append(some)
+            lost.append(self.lost(motion, places, angles))
+        return np.concatenate(known), np.concatenate(lost)
+
     def told(self, lost: FloatArray, angles: FloatArray) -> FloatArray:
         """Turn lost rows back to differences, shape (places, frames of a window, lost, 3)."""
         away = lost.reshape(len(lost), len(self.span.offsets), -1, 3)

@@ -1,6 +1,7 @@
 """Recovery of lost markers from windows: learn once, then ask for stretches (W18, section 3)."""
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -67,21 +68,14 @@ class Recovery:
             None if up is None else reference_pose(chosen, rows.helpers, span, up, MOST_POSES)
         )
         self._view = View(rows, span, up or "+z", reference)
-        known, lost = [], []
-        for motion, places in chosen:
-            some, angles = self._view.known(motion, places)
-            known.append(some)
-            lost.append(self._view.lost(motion, places, angles))
-        self._model = CodeModel(np.concatenate(known), np.concatenate(lost), codes, progress)
+        self._model = CodeModel(*self._view.both(chosen), codes, progress)
 
+    @cached_property
     def doubt(self) -> FloatArray | None:
-        """Say how unsure the found places are, from what is missed of what was learned from.
+        """How unsure the found places are, from what is missed of what was learned from.
 
-        Returns
-        -------
-        ndarray, shape (targets, targets), or None
-            The covariance of a coordinate in the middle of a window, in mm squared. None where
-            nothing but atoms was learned from.
+        The covariance of a coordinate in the middle of a window, shape (targets, targets), in mm
+        squared. None where nothing but atoms was learned from.
         """
         left = self._model.left_over
         if not len(left):

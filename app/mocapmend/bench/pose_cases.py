@@ -1,6 +1,7 @@
 """The recordings of `bench poses`: what is lost of them, and which other trials teach."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from importlib.resources import as_file, files
 from pathlib import Path
 
@@ -98,7 +99,7 @@ class Case:
     subject: Subject
     gaps: tuple[Gap, ...]
 
-    @property
+    @cached_property
     def recording(self) -> Recording:
         """What is left."""
         points = self.subject.truth.points.copy()

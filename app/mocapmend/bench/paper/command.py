@@ -8,12 +8,12 @@ from mocapmend.bench.arguments import at_least
 from mocapmend.bench.grid import Cell, Column, Grid, Report
 from mocapmend.bench.paper import rivals as rival_table
 from mocapmend.bench.paper.rivals import Rival
+from mocapmend.bench.paper.status import say
 from mocapmend.bench.paper.tables import (
     CASE_COLUMNS,
     case_rows,
     mean,
     noise_free,
-    say,
     spectrum_grid,
     speed,
     summary,

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from mocapmend_algorithms.fill.coded_motion import CodedMotion
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import Modelled, meet_edges
 from mocapmend_algorithms.fill.motion_codes import window_span
-from mocapmend_algorithms.skeleton.projection import BoneConstraints, project_bones
+from mocapmend_algorithms.skeleton.projection import project_bones
 from mocapmend_algorithms.sparse import part_codes
 from mocapmend_algorithms.sparse.bone_space import with_lengths
 from mocapmend_algorithms.sparse.examples import Motion, View, choose_places, reference_pose
@@ -57,9 +58,7 @@ def project(case: Case, found: FloatArray) -> FloatArray:
     """Move what was found so that bones keep the lengths that are measured on what is left."""
     points = case.recording.points[case.start : case.stop].copy()
     points[:, case.lost] = found
-    body = case.body
-    touching = np.isin(body.bones, case.lost).any(axis=1)
-    bones = BoneConstraints(body.bones[touching], body.lengths[touching] / case.recording.mm)
+    bones = case.body.constraints(case.lost, case.recording.mm)
     return project_bones(points, case.lost, bones)
 
 
@@ -97,14 +96,22 @@ def by_auto() -> Find:
 
 def by_bones(params: bone_dictionary.BoneDictionaryParams) -> Find:
     """Fill with `bone-dictionary` and the training trials, without self-tests."""
+    return _by_codes(partial(bone_dictionary.fill_bare, params=params))
+
+
+def by_smbs(params: smbs.SmbsParams) -> Find:
+    """Fill with `smbs` and the training trials, without self-tests."""
+    return _by_codes(partial(smbs.fill_bare, params=params))
+
+
+def _by_codes(fill: Callable[..., FillResult]) -> Find:
     return lambda case: _values(
         case,
-        bone_dictionary.fill_bare(
+        fill(
             case.recording,
             case.recording.present,
             case.gaps,
             no_progress,
-            params=params,
             body=case.body,
             others=teachers(case),
         ),
@@ -133,22 +140,6 @@ def speed_of_bones(case: Case) -> tuple[float, float]:
     learned = time.perf_counter()
     recovery.ask(case.start - 1, case.stop + 1, no_progress)
     return learned - began, time.perf_counter() - learned
-
-
-def by_smbs(params: smbs.SmbsParams) -> Find:
-    """Fill with `smbs` and the training trials, without self-tests."""
-    return lambda case: _values(
-        case,
-        smbs.fill_bare(
-            case.recording,
-            case.recording.present,
-            case.gaps,
-            no_progress,
-            params=params,
-            body=case.body,
-            others=teachers(case),
-        ),
-    )
 
 
 def by_parts(dictionaries: Callable[[Case], Mapping[int, PartDictionary]]) -> Find:
@@ -187,12 +178,7 @@ def by_ridge(weight: float, window_ms: float, *, as_printed: bool) -> Find:
             recording.up,
             reference_pose(chosen, rows.helpers, span, recording.up, POSES),
         )
-        known, lost = [], []
-        for motion, places in chosen:
-            some, angles = view.known(motion, places)
-            known.append(some)
-            lost.append(view.lost(motion, places, angles))
-        regress = _ridge(np.concatenate(known), np.concatenate(lost), weight)
+        regress = _ridge(*view.both(chosen), weight)
         start, stop = case.start - 1, case.stop + 1
         places = span.touching(start, stop, recording.frames)
         asked, angles = view.known(own, places)

@@ -1,6 +1,5 @@
 """The tables of `bench paper`."""
 
-import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -11,6 +10,7 @@ from mocapmend.bench.grid import Cell, Column, Grid
 from mocapmend.bench.memory import peak_mb
 from mocapmend.bench.paper import rivals as rival_table
 from mocapmend.bench.paper.rivals import Rival, project, speed_of_bones
+from mocapmend.bench.paper.status import say
 from mocapmend.bench.paper.trained import Trained
 from mocapmend.bench.paper.trials import (
     LOST_SHARE,
@@ -302,10 +302,3 @@ def targets(rows: Sequence[Mapping[str, Cell]], grids: Sequence[Grid]) -> Grid:
         Column("met", "met"),
     )
     return Grid("targets", "Targets", columns, lines)
-
-
-def say(text: str) -> None:
-    """Say what is being done, where somebody looks."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{text.ljust(78)}")
-        sys.stderr.flush()

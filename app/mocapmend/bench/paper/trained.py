@@ -5,7 +5,6 @@ They are kept in the user's cache folder, named after what they were trained on 
 
 import hashlib
 import json
-import sys
 import time
 import zipfile
 import zlib
@@ -17,6 +16,7 @@ import numpy as np
 from platformdirs import user_cache_path
 
 from mocapmend.bench.memory import peak_mb
+from mocapmend.bench.paper.status import say
 from mocapmend.bench.paper.trials import Trial
 from mocapmend.files.atomic import write_atomically
 from mocapmend_algorithms import Recording
@@ -76,9 +76,7 @@ def parts_for(trial: Trial, settings: PartSettings) -> TrainedParts:
     for at in range(len(body.parts)):
 
         def tell(share: float, at: int = at) -> None:
-            if sys.stderr.isatty():
-                sys.stderr.write(f"\rtraining part {at + 1} of 5: {100 * share:3.0f} % ")
-                sys.stderr.flush()
+            say(f"training part {at + 1} of 5: {100 * share:3.0f} %")
 
         state = train_part(motions, body, at, settings, tell)
         atoms[f"part {at}"] = state.dictionary
