@@ -145,12 +145,12 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec("last_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Last frame"), ("End",)),
     ActionSpec("faster", "Play", QT_TRANSLATE_NOOP("Actions", "Faster"), ("]",), starts_group=True),
     ActionSpec("slower", "Play", QT_TRANSLATE_NOOP("Actions", "Slower"), ("[",)),
-    ActionSpec("view_front", "View", QT_TRANSLATE_NOOP("Actions", "Front view"), ("1",)),
-    ActionSpec("view_back", "View", QT_TRANSLATE_NOOP("Actions", "Back view"), ("2",)),
-    ActionSpec("view_left", "View", QT_TRANSLATE_NOOP("Actions", "Left view"), ("3",)),
-    ActionSpec("view_right", "View", QT_TRANSLATE_NOOP("Actions", "Right view"), ("4",)),
-    ActionSpec("view_top", "View", QT_TRANSLATE_NOOP("Actions", "Top view"), ("5",)),
-    ActionSpec("view_oblique", "View", QT_TRANSLATE_NOOP("Actions", "Oblique view"), ("6",)),
+    ActionSpec("view_front", "View", QT_TRANSLATE_NOOP("Actions", "Front view"), ("Alt+1",)),
+    ActionSpec("view_back", "View", QT_TRANSLATE_NOOP("Actions", "Back view"), ("Alt+2",)),
+    ActionSpec("view_left", "View", QT_TRANSLATE_NOOP("Actions", "Left view"), ("Alt+3",)),
+    ActionSpec("view_right", "View", QT_TRANSLATE_NOOP("Actions", "Right view"), ("Alt+4",)),
+    ActionSpec("view_top", "View", QT_TRANSLATE_NOOP("Actions", "Top view"), ("Alt+5",)),
+    ActionSpec("view_oblique", "View", QT_TRANSLATE_NOOP("Actions", "Oblique view"), ("Alt+6",)),
     ActionSpec(
         "follow", "View", QT_TRANSLATE_NOOP("Actions", "Follow the body"), ("F",), checkable=True
     ),
