@@ -12,7 +12,7 @@ from repaired_files import write_repaired
 from mocapmend.document import Document
 from mocapmend.engine import load
 from mocapmend.jobs import Jobs
-from mocapmend.settings import Settings
+from mocapmend.settings import RANKING, Settings
 from mocapmend.views.main_window import MainWindow
 from mocapmend_algorithms import no_progress
 
@@ -32,8 +32,10 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
-    """Return settings that no other test and no user sees."""
-    return Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    """Return settings that no other test and no user sees; without ranking, gaps are by time."""
+    made = Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    made.set(RANKING, False)
+    return made
 
 
 @pytest.fixture
