@@ -1,12 +1,17 @@
 """The gaps of a recording as a list of problems, the most harmful first. No Qt."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 
-from mocapmend.prospects import Preview
-from mocapmend_algorithms import Gap
+from mocapmend.engine import fill_anyway
+from mocapmend.prospects import Preview, Prospects, Way
+from mocapmend_algorithms import Gap, Progress, Recording
+from mocapmend_algorithms.progress import part
+
+METHODS = ("auto", "local-frame", "pca-r2", "cubic")
+"""Tried on every gap, one after another: quick ones of each kind that are often the best."""
 
 
 class Status(IntEnum):
@@ -74,3 +79,24 @@ def ordered(
     known = [problem for problem in by_time if not math.isnan(value(problem))]
     unknown = [problem for problem in by_time if math.isnan(value(problem))]
     return sorted(known, key=value, reverse=falling) + unknown
+
+
+def rank(recording: Recording, gaps: Sequence[Gap], progress: Progress) -> list[Problem]:
+    """Try the `METHODS` on gaps, and return these with the most harmful first.
+
+    Parameters
+    ----------
+    recording : Recording
+        The measured samples.
+    gaps : sequence of Gap
+        Open ones.
+    progress : Progress
+        Called often; may cancel.
+    """
+    prospects = Prospects()
+    for number, name in enumerate(METHODS):
+        way = Way.default(name)
+        step = part(progress, number / len(METHODS), (number + 1) / len(METHODS))
+        prospects.add(way, gaps, fill_anyway(recording, gaps, *way, step))
+    found = [Problem(gap, Status.OPEN, prospects.best(gap), tried=True) for gap in gaps]
+    return ordered(found, ORDERS["harm"], falling=True)

@@ -5,13 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from c3d_synthetic import Synthetic, encode
+from holes import HOLES
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton
 from pytestqt.qtbot import QtBot
 
 from mocapmend.cli import main
-from mocapmend.files import read_c3d
 from mocapmend.settings import LIMIT_GAP, MAX_GAP_MS, METHOD, Settings
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.method_box import MethodBox
@@ -22,22 +21,6 @@ from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS
 
 Open = Callable[[Path], MainWindow]
-
-
-HOLES = {"leading": Gap(4, 0, 12), "interior": Gap(9, 120, 150), "trailing": Gap(17, 330, 343)}
-
-
-@pytest.fixture(scope="session")
-def holed_walk(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Write the bundled walk, 343 frames of 41 markers, with three gaps."""
-    recording = read_c3d(samples / "walk_cmu_02_01.c3d").recording
-    points, fourth = recording.points.copy(), np.zeros(recording.present.shape)
-    for gap in HOLES.values():
-        points[gap.start : gap.stop, gap.marker] = 0
-        fourth[gap.start : gap.stop, gap.marker] = -1
-    path = tmp_path_factory.mktemp("walk") / "holed_walk.c3d"
-    path.write_bytes(encode(Synthetic(points, fourth=fourth, labels=list(recording.labels))))
-    return path
 
 
 @pytest.fixture

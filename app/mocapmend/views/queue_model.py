@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from enum import IntEnum
 from typing import Any
 
 import numpy as np
@@ -17,10 +18,25 @@ from mocapmend_algorithms.fill.registry import method_label
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 CENTRE = Qt.AlignmentFlag.AlignCenter
-STATUS, MARKER, FRAMES, MS, ERROR, METHOD, HARM, CONTEXT, PLACE = range(9)
+
+
+class Column(IntEnum):
+    """Of the table, from left to right."""
+
+    STATUS = 0
+    MARKER = 1
+    FRAMES = 2
+    ERROR = 3
+    HARM = 4
+    MS = 5
+    METHOD = 6
+    CONTEXT = 7
+    PLACE = 8
+
+
 _ORDER_OF = {
-    STATUS: "status", MARKER: "marker", FRAMES: "length", MS: "length", ERROR: "error",
-    HARM: "harm", PLACE: "time",
+    Column.STATUS: "status", Column.MARKER: "marker", Column.FRAMES: "length",
+    Column.ERROR: "error", Column.HARM: "harm", Column.MS: "length", Column.PLACE: "time",
 }  # fmt: skip
 GLYPHS = {Status.OPEN: "○", Status.LEFT: "◐", Status.REPAIRED: "●", Status.NEVER: "⊘"}
 
@@ -57,24 +73,31 @@ class QueueModel(QAbstractTableModel):
         self._document = document
         self._prospects = prospects
         self._filter = Filter()
-        self._order = (HARM, True)
+        self._order = (Column.HARM, True)
         self._rows: list[Problem] = []
         self._row_of: dict[Gap, int] = {}
-        self._columns = (
-            "", self.tr("Marker"), self.tr("Frames"), self.tr("ms"), self.tr("Error"),
-            self.tr("Best"), self.tr("Harm"), self.tr("Context"), self.tr("Place"),
-        )  # fmt: skip
-        self._tips = (
-            self.tr("What has become of the gap"),
-            "",
-            self.tr("Missing frames"),
-            "",
-            self.tr("Expected error of the best repair that was tried, in mm"),
-            self.tr("The method with the least expected error"),
-            self.tr("Expected error times missing frames: what comes first is worst"),
-            self.tr("Where the gap lies, and how many other markers are missing in its middle"),
-            self.tr("First and last missing frame"),
-        )
+        self._titles = {
+            Column.STATUS: "",
+            Column.MARKER: self.tr("Marker"),
+            Column.FRAMES: self.tr("Frames"),
+            Column.ERROR: self.tr("Error"),
+            Column.HARM: self.tr("Harm"),
+            Column.MS: self.tr("ms"),
+            Column.METHOD: self.tr("Best"),
+            Column.CONTEXT: self.tr("Context"),
+            Column.PLACE: self.tr("Place"),
+        }
+        self._tips = {
+            Column.STATUS: self.tr("What has become of the gap"),
+            Column.FRAMES: self.tr("Missing frames"),
+            Column.ERROR: self.tr("Expected error of the best repair that was tried, in mm"),
+            Column.HARM: self.tr("Expected error times missing frames: what comes first is worst"),
+            Column.METHOD: self.tr("The method with the least expected error"),
+            Column.CONTEXT: self.tr(
+                "Where the gap lies, and how many other markers are missing in its middle"
+            ),
+            Column.PLACE: self.tr("First and last missing frame"),
+        }
         self._missing = np.count_nonzero(~document.original.present, axis=1)
         self.refresh()
 
@@ -89,8 +112,10 @@ class QueueModel(QAbstractTableModel):
     def by_time(self) -> bool:
         """Whether the list is in the order of time: chosen so, or because nothing else is known."""
         column, falling = self._order
-        unknown = column in (HARM, ERROR) and not any(problem.tried for problem in self._rows)
-        return unknown or (column == PLACE and not falling)
+        unknown = column in (Column.HARM, Column.ERROR) and not any(
+            problem.tried for problem in self._rows
+        )
+        return unknown or (column == Column.PLACE and not falling)
 
     def row_of(self, gap: Gap) -> int | None:
         """Return the row of a gap."""
@@ -106,8 +131,8 @@ class QueueModel(QAbstractTableModel):
         self.refresh()
 
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
-        if column in _ORDER_OF or column in (METHOD, CONTEXT):
-            self._order = (column, order == Qt.SortOrder.DescendingOrder)
+        if 0 <= column < len(Column):
+            self._order = (Column(column), order == Qt.SortOrder.DescendingOrder)
             self.refresh()
 
     def refresh(self) -> None:
@@ -156,7 +181,7 @@ class QueueModel(QAbstractTableModel):
         return 0 if parent.isValid() else len(self._rows)
 
     def columnCount(self, parent: Index = NO_PARENT) -> int:
-        return 0 if parent.isValid() else len(self._columns)
+        return 0 if parent.isValid() else len(Column)
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -164,20 +189,20 @@ class QueueModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._columns[section]
+            return self._titles[Column(section)]
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tips[section]
-        return _alignment(section) if role == Qt.ItemDataRole.TextAlignmentRole else None
+            return self._tips.get(Column(section))
+        return _alignment(Column(section)) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        problem, column = self._rows[index.row()], index.column()
+        problem, column = self._rows[index.row()], Column(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
             return self._text(problem, column)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _alignment(column)
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._tip(problem)
-        if role == Qt.ItemDataRole.AccessibleTextRole and column == STATUS:
+        if role == Qt.ItemDataRole.AccessibleTextRole and column == Column.STATUS:
             return self.status_text(problem.status)
         return None
 
@@ -190,27 +215,28 @@ class QueueModel(QAbstractTableModel):
             Status.NEVER: self.tr("never to be filled"),
         }[status]
 
-    def _text(self, problem: Problem, column: int) -> str:
+    def _text(self, problem: Problem, column: Column) -> str:
         gap, mm = problem.gap, self._document.original.mm
         match column:
-            case 0:
+            case Column.STATUS:
                 return GLYPHS[problem.status]
-            case 1:
+            case Column.MARKER:
                 return self._document.names[gap.marker]
-            case 2:
+            case Column.FRAMES:
                 return str(gap.length)
-            case 3:
-                return f"{self._ms(gap):.0f}"
-            case 4:
+            case Column.ERROR:
                 return self._error_text(problem)
-            case 5:
-                return "" if problem.best is None else problem.best.method
-            case 6:
+            case Column.HARM:
                 return "" if math.isnan(problem.harm) else f"{problem.harm * mm:.0f}"
-            case 7:
+            case Column.MS:
+                return f"{self._ms(gap):.0f}"
+            case Column.METHOD:
+                return "" if problem.best is None else problem.best.method
+            case Column.CONTEXT:
                 return self._context(gap)
-        first, last = self._numbers(gap)
-        return str(first) if first == last else f"{first} – {last}"
+            case Column.PLACE:
+                first, last = self._numbers(gap)
+                return str(first) if first == last else f"{first} – {last}"
 
     def _error_text(self, problem: Problem) -> str:
         if not problem.tried:
@@ -260,7 +286,8 @@ def _made(gap: Gap, repair: Repair) -> Preview:
     return Preview(gap, repair.method, repair.params, repair.patch, donors=repair.donors)
 
 
-def _alignment(column: int) -> Qt.AlignmentFlag:
-    if column == STATUS:
+def _alignment(column: Column) -> Qt.AlignmentFlag:
+    if column == Column.STATUS:
         return CENTRE
-    return RIGHT if column in (FRAMES, MS, ERROR, HARM) else LEFT
+    numbers = (Column.FRAMES, Column.ERROR, Column.HARM, Column.MS)
+    return RIGHT if column in numbers else LEFT

@@ -24,19 +24,7 @@ from mocapmend.prospects import Prospects
 from mocapmend.ranking import Status
 from mocapmend.settings import RANKING, Settings
 from mocapmend.views.labels import LabelDelegate
-from mocapmend.views.queue_model import (
-    CONTEXT,
-    ERROR,
-    FRAMES,
-    HARM,
-    MARKER,
-    METHOD,
-    MS,
-    PLACE,
-    STATUS,
-    Filter,
-    QueueModel,
-)
+from mocapmend.views.queue_model import Column, Filter, QueueModel
 from mocapmend.views.survey import Survey
 from mocapmend.views.tables import dress
 from mocapmend.viewstate import ViewState
@@ -112,9 +100,7 @@ class QueuePane(QWidget):
 
         In a list by time that is the next from the playhead.
         """
-        if self._timer.isActive():
-            self._timer.stop()
-            self.model.refresh()
+        self._catch_up()
         gaps = self.model.gaps
         if not gaps:
             return False
@@ -135,8 +121,15 @@ class QueuePane(QWidget):
 
     def worst(self) -> Gap | None:
         """Return the first problem of the list."""
+        self._catch_up()
         gaps = self.model.gaps
         return gaps[0] if gaps else None
+
+    def _catch_up(self) -> None:
+        """List now what would be listed in a moment."""
+        if self._timer.isActive():
+            self._timer.stop()
+            self.model.refresh()
 
     # --- parts -------------------------------------------------------------------------------
 
@@ -172,21 +165,27 @@ class QueuePane(QWidget):
         table = QTableView()
         table.setModel(self.model)
         table.setSortingEnabled(True)
-        table.sortByColumn(HARM, Qt.SortOrder.DescendingOrder)
+        table.sortByColumn(Column.HARM, Qt.SortOrder.DescendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Queue of gaps"))
         dress(table)
-        table.setItemDelegateForColumn(MARKER, LabelDelegate(table))
+        table.setItemDelegateForColumn(Column.MARKER, LabelDelegate(table))
         advance = table.fontMetrics().horizontalAdvance
         header = table.horizontalHeader()
         header.setMinimumSectionSize(20)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setStretchLastSection(True)
         widest = {
-            STATUS: "⊘", MARKER: "MMMMMMMM", FRAMES: "00000", MS: "000000", ERROR: "0000.0",
-            METHOD: "bone-dictionary", HARM: "000000", CONTEXT: self.tr("inside, {0} more missing"),
-            PLACE: "000000 – 000000",
-        }  # fmt: skip
+            Column.STATUS: "⊘",
+            Column.MARKER: "MMMMMMMM",
+            Column.FRAMES: "0000",
+            Column.ERROR: "000.0",
+            Column.HARM: "00000",
+            Column.MS: "00000",
+            Column.METHOD: "bone-dictionary",
+            Column.CONTEXT: self.tr("inside, {0} more missing"),
+            Column.PLACE: "000000 – 000000",
+        }
         for column, text in widest.items():
             title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
             header.resizeSection(column, max(advance(text), advance(title) + 10) + 12)

@@ -8,14 +8,13 @@ from mocapmend import engine
 from mocapmend.document import Document
 from mocapmend.jobs import Job, Jobs
 from mocapmend.prospects import Prospects, Way
+from mocapmend.ranking import METHODS
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult
 
-METHODS = ("auto", "local-frame", "pca-r2", "cubic")
-"""Tried on every gap, one after another: quick ones of each kind that are often the best."""
 PORTION_S = 0.7
 """What is computed at a time: a preview that the user waits for comes in between."""
-FIRST_PORTION = 4
+FIRST_PORTION = 12
 LARGEST_PORTION = 500
 
 
