@@ -186,6 +186,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("Ctrl+Shift+Return",),
         starts_group=True,
     ),
+    ActionSpec("save_plan", "Repair", QT_TRANSLATE_NOOP("Actions", "Save plan…")),
+    ActionSpec("load_plan", "Repair", QT_TRANSLATE_NOOP("Actions", "Load plan…")),
     ActionSpec(
         "fill_all",
         "Repair",

@@ -24,6 +24,8 @@ FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
 PROOF_COMMANDS: "dict[str, Callable[[ProofActions], object]]" = {
     "save_recipe": lambda p: p.ask_and_save_recipe(),
     "replay_recipe": lambda p: p.ask_and_replay(),
+    "save_plan": lambda p: p.ask_and_save_plan(),
+    "load_plan": lambda p: p.ask_and_load_plan(),
     "check_copy": lambda p: p.ask_and_check(),
 }
 """By action id."""

@@ -53,6 +53,7 @@ class CandidateList(QTableWidget):
         advance = self.fontMetrics().horizontalAdvance
         narrow(self, {0: advance("9") + 14, 2: advance("★ 0000.0 mm") + 12}, stretched=1)
         self.itemSelectionChanged.connect(self._lead)
+        view.gap_changed.connect(self._show)
         view.preview_changed.connect(self._show)
         view.candidates_changed.connect(self._show)
         self.choose(chosen)

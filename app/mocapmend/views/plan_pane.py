@@ -1,18 +1,16 @@
 """The fill plan: what filling all gaps would do, before it is done."""
 
 import math
-from collections.abc import Callable
 from enum import Enum
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt, QTimer
 from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -128,16 +126,7 @@ class PlanModel(QAbstractTableModel):
 
 
 class PlanPane(QWidget):
-    """Shows the plan for the method and the limits of the repair pane, and carries it out.
-
-    Signals
-    -------
-    save, load :
-        The user wants the plan as a file, or one of a file.
-    """
-
-    save = Signal()
-    load = Signal()
+    """Shows the plan for the method and the limits of the repair pane."""
 
     def __init__(
         self,
@@ -200,7 +189,7 @@ class PlanPane(QWidget):
             text += " " + self.tr("{0} are not computed yet.").format(len(unknown))
         self.summary.setText(text)
         self._compute.setVisible(bool(unknown))
-        self._compute.setEnabled(self._filling.job is None)
+        self._compute.set_possible(possible=self._filling.job is None)
 
     # --- parts -------------------------------------------------------------------------------
 
@@ -222,15 +211,15 @@ class PlanPane(QWidget):
         return table
 
     def _arrange(self, actions: dict[str, QAction]) -> None:
-        self._compute = _button(self.tr("Compute"), self.compute)
+        self._compute = ActionButton(actions["plan"], self.tr("Compute"))
         self._fill = ActionButton(actions["fill_all"], self.tr("Fill all"))
         head = QHBoxLayout()
         head.addWidget(self.summary, 1)
         head.addWidget(self._shown)
         head.addWidget(self._compute)
         head.addWidget(self._fill)
-        head.addWidget(_button(self.tr("Save plan…"), self.save.emit))
-        head.addWidget(_button(self.tr("Load plan…"), self.load.emit))
+        head.addWidget(ActionButton(actions["save_plan"], self.tr("Save plan…")))
+        head.addWidget(ActionButton(actions["load_plan"], self.tr("Load plan…")))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
         layout.setSpacing(4)
@@ -246,11 +235,3 @@ class PlanPane(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh_soon()
-
-
-def _button(text: str, do: Callable[[], object]) -> QPushButton:
-    button = QPushButton(text)
-    # A click must not take the keyboard from the rest of the window.
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    button.clicked.connect(do)
-    return button

@@ -8,7 +8,9 @@ from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, recipe
 from mocapmend.document import Document, Edit
+from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
+from mocapmend.plan import Plan, read_plan, write_plan
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -84,6 +86,45 @@ class ProofActions(QObject):
         job = self._window.jobs.read_or_write(title, recipe.prepare, source, path)
         job.finished.connect(compute)
         job.failed.connect(self._window.show_error)
+
+    def ask_and_save_plan(self) -> None:
+        """Let the user choose where the plan goes, and write it there."""
+        workspace = self._window.workspace
+        if workspace is None:
+            return
+        limits = workspace.repair.limits
+        made = Plan(workspace.repair.method(), limits.max_gap_ms(), limits.max_error_mm())
+        path = self._window.files.ask_where(
+            self.tr("Save plan"), "plan.json", {self.tr("Plans (*.json)"): ".json"}
+        )
+        if path is None:
+            return
+        try:
+            write_plan(made, path)
+        except MocapmendError as error:
+            self._window.show_error(error)
+        else:
+            self._window.say(self.tr("Plan written to {0}").format(path))
+
+    def ask_and_load_plan(self) -> None:
+        """Let the user choose a plan, and show its method and limits."""
+        workspace = self._window.workspace
+        if workspace is None:
+            return
+        path = self._ask(
+            self.tr("Load plan"),
+            self._window.files.folder() / "plan.json",
+            self.tr("Plans (*.json);;All files (*)"),
+        )
+        if path is None:
+            return
+        try:
+            read = read_plan(path)
+        except MocapmendError as error:
+            self._window.show_error(error)
+        else:
+            workspace.repair.choose_way(read.way)
+            workspace.repair.limits.set_limits(read.max_gap_ms, read.max_error_mm)
 
     def ask_and_check(self) -> None:
         """Let the user choose a repaired copy, and compare it with the open recording's file."""

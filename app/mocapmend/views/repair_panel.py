@@ -108,6 +108,14 @@ class RepairPanel(QScrollArea):
         """Choose the next or the previous method of the list."""
         self._method.step(step)
 
+    def choose_way(self, way: Way) -> None:
+        """Choose a method with other parameters than its own."""
+        self._params[way.method] = way.params
+        if way.method == self._method.method.id:
+            self._show_method()
+        else:
+            self._choose(way.method)
+
     def pick_candidate(self, number: int) -> None:
         """Choose the method with a number of the comparison, counted from 1."""
         if number <= len(self._candidates.methods):
