@@ -26,6 +26,8 @@ PROOF_COMMANDS: "dict[str, Callable[[ProofActions], object]]" = {
 COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "undo": lambda w: w.document.undo_stack.undo(),
     "redo": lambda w: w.document.undo_stack.redo(),
+    "select_all": lambda w: w.select_all(),
+    "select_none": lambda w: w.view.select(()),
     "next_gap": lambda w: w.step_gap(1),
     "previous_gap": lambda w: w.step_gap(-1),
     "next_gap_here": lambda w: w.step_gap(1, same_marker=True),
@@ -51,6 +53,8 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "show_timeline": lambda w: w.show_pane(w.timeline),
     "show_repairs": lambda w: w.show_pane(w.repairs),
     "show_report": lambda w: w.show_pane(w.report),
+    "longer_trails": lambda w: w.step_trails(1),
+    "shorter_trails": lambda w: w.step_trails(-1),
     "view_front": lambda w: w.scene.look("front"),
     "view_back": lambda w: w.scene.look("back"),
     "view_left": lambda w: w.scene.look("left"),
@@ -62,8 +66,15 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
 
 SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
     "follow": lambda w, on: w.scene.set_follow(on),
-    "labels": lambda w, on: w.scene.set_labels(on),
-    "trails": lambda w, on: w.scene.set_trails(on),
+    "sticks": lambda w, on: w.scene.set_layer("sticks", on),
+    "segments": lambda w, on: w.scene.set_layer("segments", on),
+    "labels": lambda w, on: w.scene.set_layer("labels", on),
+    "trails": lambda w, on: w.scene.set_layer("trails", on),
+    "all_trails": lambda w, on: w.scene.set_layer("all_trails", on),
+    "before_after": lambda w, on: w.scene.set_layer("before_after", on),
+    "measure": lambda w, on: w.scene.set_layer("measure", on),
+    "ground": lambda w, on: w.scene.set_layer("ground", on),
+    "plates": lambda w, on: w.scene.set_layer("plates", on),
     "separate": lambda w, on: w.trajectories.set_separate(on),
 }
 """By id of a checkable action."""

@@ -31,6 +31,7 @@ from mocapmend.log import log_path
 from mocapmend.settings import (
     GEOMETRY,
     RECENT_FILES,
+    SHOWN,
     THEME,
     Settings,
 )
@@ -98,8 +99,11 @@ class MainWindow(QMainWindow):
         self._connect()
         self.restoreGeometry(settings.get(GEOMETRY))
         self.actions_by_id["theme"].setChecked(self.theme is LIGHT)
-        self.actions_by_id["follow"].setChecked(True)
-        self.actions_by_id["trails"].setChecked(True)
+        for name, shown in SHOWN.items():
+            self.actions_by_id[name].setChecked(settings.get(shown))
+            self.actions_by_id[name].toggled.connect(
+                lambda on, shown=shown: settings.set(shown, on)
+            )
         self._show_theme()
         self._show_document()
 
