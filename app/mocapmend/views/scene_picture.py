@@ -21,7 +21,12 @@ from mocapmend.views.painters.body import (
     paint_sticks,
 )
 from mocapmend.views.painters.edits import edits_text, paint_edits
-from mocapmend.views.painters.ground import paint_axes, paint_force_plates, paint_ground
+from mocapmend.views.painters.ground import (
+    paint_axes,
+    paint_force_plates,
+    paint_ground,
+    plate_outlines,
+)
 from mocapmend.views.painters.measure import measurement, paint_measure
 from mocapmend.views.painters.shot import Shot
 from mocapmend.views.painters.texts import paint_captions, paint_labels
@@ -67,6 +72,7 @@ class ScenePicture(QWidget):
         self._size = self._path.size()
         grid = floor_grid(original, self._turn, self._path.overview @ self._turn, self._size)
         self._grid = grid @ self._turn.T
+        self._plates = plate_outlines(document.source.force_plates)
         self._bones = np.array(document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
         self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
@@ -166,7 +172,7 @@ class ScenePicture(QWidget):
         if "ground" in self.layers:
             paint_ground(shot, self._grid)
         if "plates" in self.layers:
-            paint_force_plates(shot, self._document.source.force_plates)
+            paint_force_plates(shot, self._plates)
 
     def _paint_body(self, shot: Shot) -> None:
         layers = self.layers

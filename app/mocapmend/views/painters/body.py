@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QCoreApplication, QPointF, Qt
-from PySide6.QtGui import QColor, QPen, QPolygonF
+from PySide6.QtGui import QPen, QPolygonF
 
 from mocapmend.state import SampleState
 from mocapmend.views.painters.hull import hull
@@ -32,7 +32,7 @@ def paint_segments(shot: Shot, segments: Sequence[Segment]) -> None:
     for number, segment in _of_several(segments):
         pixels = shot.pixels[list(segment.markers)]
         pixels = pixels[np.isfinite(pixels[:, 0])]
-        colour = _mixed(shot.curve_colour(number - 1), QColor(shot.theme.base))
+        colour = shot.tint(shot.curve_colour(number - 1), TINT)
         painter.setPen(
             QPen(
                 colour,
@@ -59,7 +59,7 @@ def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> None:
         if len(pixels):
             name = segment.name or translate("Scene", "segment {0}").format(number)
             x, y = (pixels.min(axis=0) + pixels.max(axis=0)) / 2.0
-            shot.pen(shot.curve_colour(number - 1))
+            shot.pen(shot.theme.text)
             left = x - metrics.horizontalAdvance(name) / 2.0
             shot.painter.drawText(QPointF(left, y + metrics.ascent() / 2.0), name)
 
@@ -88,11 +88,3 @@ def _of_several(segments: Sequence[Segment]) -> list[tuple[int, Segment]]:
     """Return the segments of more than one marker, numbered from 1."""
     several = [segment for segment in segments if len(segment.markers) > 1]
     return list(enumerate(several, start=1))
-
-
-def _mixed(colour: QColor, ground: QColor) -> QColor:
-    """Return a tint that covers what is below: overlapping shapes shall not add up."""
-    inks = (colour.redF(), colour.greenF(), colour.blueF())
-    bases = (ground.redF(), ground.greenF(), ground.blueF())
-    mixed = [TINT * ink + (1.0 - TINT) * base for ink, base in zip(inks, bases, strict=True)]
-    return QColor.fromRgbF(*mixed)

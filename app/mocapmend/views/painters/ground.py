@@ -1,10 +1,10 @@
 """What stays where it is: the ground, the force plates and the axes."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from pyqtgraph.functions import arrayToQPolygonF
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPolygonF
 
 from mocapmend.files import ForcePlate
 from mocapmend.theme import AXIS_COLOURS
@@ -20,26 +20,33 @@ def paint_ground(shot: Shot, grid: Array) -> None:
     shot.pairs(shot.project(grid))
 
 
-def paint_force_plates(shot: Shot, plates: Sequence[ForcePlate]) -> None:
-    """Outline the force plates, with the numbers that the file counts them by."""
-    fill = QColor(shot.theme.dim)
-    fill.setAlpha(36)
-    shares = np.linspace(0.0, 1.0, CUTS + 1)[:, None]
+def plate_outlines(plates: Sequence[ForcePlate]) -> dict[int, Array]:
+    """Return the outlines of the force plates that have one, by the file's numbers from 1.
+
+    Each is shape (4 * CUTS + 1, 3), in the file's axes: once around and back.
+    """
+    shares = np.linspace(0.0, 1.0, CUTS, endpoint=False)[:, None]
+    outlines = {}
     for number, plate in enumerate(plates, start=1):
-        if not plate.spans_surface:
-            continue
-        corners = plate.corners
-        edges = [
-            a + shares * (b - a) for a, b in zip(corners, np.roll(corners, -1, 0), strict=True)
-        ]
-        outline = shot.project(np.concatenate(edges))
-        middle = shot.project(corners.mean(axis=0)[None])[0]
-        if np.isfinite(outline).all():
+        if plate.spans_surface:
+            sides = zip(plate.corners, np.roll(plate.corners, -1, axis=0), strict=True)
+            cut = [start + shares * (stop - start) for start, stop in sides]
+            outlines[number] = np.concatenate([*cut, plate.corners[:1]])
+    return outlines
+
+
+def paint_force_plates(shot: Shot, outlines: Mapping[int, Array]) -> None:
+    """Paint the force plates, with the numbers that the file counts them by."""
+    for number, outline in outlines.items():
+        pixels = shot.project(np.vstack((outline, outline.mean(axis=0))))
+        around, middle = pixels[:-1], pixels[-1]
+        if np.isfinite(around).all():
             shot.painter.setPen(Qt.PenStyle.NoPen)
-            shot.painter.setBrush(fill)
-            shot.painter.drawPolygon(QPolygonF([QPointF(*pixel) for pixel in outline]))
-        shot.pen(shot.theme.dim, 1.5)
-        shot.pairs(np.stack((outline[:-1], outline[1:]), axis=1).reshape(-1, 2))
+            shot.painter.setBrush(shot.tint(shot.theme.dim, 0.18))
+            shot.painter.drawPolygon(arrayToQPolygonF(*around.T))
+        # Wider lines would take ten times as long.
+        shot.pen(shot.theme.dim, 1.0)
+        shot.pairs(np.stack((around[:-1], around[1:]), axis=1).reshape(-1, 2))
         if np.isfinite(middle).all():
             box = QRectF(middle[0] - 20, middle[1] - 10, 40, 20)
             shot.painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(number))

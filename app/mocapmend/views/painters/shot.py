@@ -58,6 +58,15 @@ class Shot:
         """Return the colour of a selected marker, by its place in the selection."""
         return QColor(self.theme.curves[order % len(self.theme.curves)])
 
+    def tint(self, colour: QColor | str, share: float) -> QColor:
+        """Return a colour thinned with the ground's; opaque, so that shapes do not add up."""
+        ink, base = QColor(colour), QColor(self.theme.base)
+        return QColor.fromRgbF(
+            share * ink.redF() + (1.0 - share) * base.redF(),
+            share * ink.greenF() + (1.0 - share) * base.greenF(),
+            share * ink.blueF() + (1.0 - share) * base.blueF(),
+        )
+
     def pen(
         self,
         colour: QColor | str,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QPainter
 
 from mocapmend.document import Document
 from mocapmend.state import SampleState
@@ -14,6 +14,8 @@ from mocapmend.views.painters.shot import Array, Shot
 
 MOST_VERTICES = 4000
 """Of all trails together; with more, frames are left out between the corners of a trail."""
+FINE = 12
+"""So many trails have smooth lines; with more, those would take longer than the rest together."""
 SOLID, DOTTED, DASHED, BROKEN = range(4)
 STYLES = {
     SOLID: Qt.PenStyle.SolidLine,
@@ -75,22 +77,24 @@ def paint_trails(shot: Shot, seconds: float, *, all_markers: bool) -> None:
     styles[:, :-1] = trails.styles.T
     styles[unseen] = BROKEN
     styles[:, :-1][unseen[:, 1:]] = BROKEN
-    for colour, width, rows in _inks(shot, markers):
+    fine = len(markers) <= FINE
+    shot.painter.setRenderHint(QPainter.RenderHint.Antialiasing, fine)
+    for colour, rows in _inks(shot, markers):
+        colour.setAlpha(150 if fine else 255)
         for style, line in STYLES.items():
-            shot.pen(colour, width, line)
+            shot.pen(colour, 1.5 if fine else 1.0, line)
             shot.chain(pixels[rows].reshape(-1, 2), styles[rows].reshape(-1) == style)
+    shot.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 
-def _inks(shot: Shot, markers: NDArray[np.intp]) -> Iterator[tuple[QColor, float, list[int]]]:
-    """Yield colour, width and rows of the trails that are painted alike."""
+def _inks(shot: Shot, markers: NDArray[np.intp]) -> Iterator[tuple[QColor, list[int]]]:
+    """Yield colour and rows of the trails that are painted alike."""
     rows = {marker: row for row, marker in enumerate(markers.tolist())}
     colours = len(shot.theme.curves)
     chosen: list[list[int]] = [[] for _ in range(colours)]
     for order, marker in enumerate(shot.view.selection):
         chosen[order % colours].append(rows.pop(marker))
     if rows:
-        yield QColor(shot.theme.bone), 1.0, list(rows.values())
+        yield QColor(shot.theme.bone), list(rows.values())
     for order, of_colour in enumerate(filter(None, chosen)):
-        colour = shot.curve_colour(order)
-        colour.setAlpha(150)
-        yield colour, 1.5, of_colour
+        yield shot.curve_colour(order), of_colour
