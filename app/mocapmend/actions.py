@@ -162,7 +162,32 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec("view_top", "View", QT_TRANSLATE_NOOP("Actions", "Top view"), ("Alt+5",)),
     ActionSpec("view_oblique", "View", QT_TRANSLATE_NOOP("Actions", "Oblique view"), ("Alt+6",)),
     ActionSpec(
-        "follow", "View", QT_TRANSLATE_NOOP("Actions", "Follow the body"), ("F",), checkable=True
+        "turn_left",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Turn left"),
+        ("Alt+Left",),
+        starts_group=True,
+    ),
+    ActionSpec("turn_right", "View", QT_TRANSLATE_NOOP("Actions", "Turn right"), ("Alt+Right",)),
+    ActionSpec("turn_up", "View", QT_TRANSLATE_NOOP("Actions", "Look from higher up"), ("Alt+Up",)),
+    ActionSpec(
+        "turn_down", "View", QT_TRANSLATE_NOOP("Actions", "Look from lower down"), ("Alt+Down",)
+    ),
+    ActionSpec("nearer", "View", QT_TRANSLATE_NOOP("Actions", "Nearer"), ("Alt++", "Alt+=")),
+    ActionSpec("farther", "View", QT_TRANSLATE_NOOP("Actions", "Farther"), ("Alt+-",)),
+    ActionSpec(
+        "centre_marker",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Centre the current marker"),
+        ("Alt+0",),
+    ),
+    ActionSpec(
+        "follow",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Follow the body"),
+        ("F",),
+        checkable=True,
+        starts_group=True,
     ),
     ActionSpec(
         "labels", "View", QT_TRANSLATE_NOOP("Actions", "Marker labels"), ("L",), checkable=True
@@ -226,7 +251,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "before_after",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Before and after the edits"),
-        ("B",),
+        ("C",),
         checkable=True,
     ),
     ActionSpec(

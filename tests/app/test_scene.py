@@ -204,6 +204,53 @@ def test_trails_have_lengths_to_step_through(scene: Scene) -> None:
     assert scene.trail_seconds == lengths[-1]
 
 
+def test_keys_do_what_the_mouse_does(scene: Scene, view: ViewState) -> None:
+    camera = scene.camera
+    yaw, pitch, distance = camera.yaw, camera.pitch, camera.distance
+    scene.turn(1, 1)
+    assert (camera.yaw - yaw, camera.pitch - pitch) == (15.0, 15.0)
+    scene.turn(-1, -1)
+    assert (camera.yaw, camera.pitch) == (yaw, pitch)
+    scene.approach(1)
+    assert camera.distance < distance
+    scene.approach(-1)
+    assert camera.distance == pytest.approx(distance)
+    for _ in range(100):
+        scene.approach(-1)
+    assert np.isfinite(places(scene)).any()
+
+
+@pytest.mark.parametrize("follow", [True, False])
+def test_a_marker_is_centred_where_it_is_seen(
+    scene: Scene, view: ViewState, document: Document, follow: bool
+) -> None:
+    scene.set_follow(follow)
+    gap = document.gaps[0]
+    view.set_frame(gap.start)
+    before = places(scene)
+    scene.centre_on(gap.marker)
+    scene.centre_on(None)
+    assert np.array_equal(places(scene), before, equal_nan=True)
+    seen = int(np.flatnonzero(np.isfinite(before[:, 0]))[0])
+    scene.centre_on(seen)
+    assert np.allclose(places(scene)[seen], [400, 250])
+
+
+def test_a_click_finds_the_marker_of_the_frame_that_is_not_painted_yet(
+    scene: Scene, view: ViewState
+) -> None:
+    scene.set_follow(on=True)
+    places(scene)
+    view.set_frame(view.frames - 1)
+    scene._aim()
+    pixels = scene._project(scene._current_points())
+    seen = int(np.flatnonzero(np.isfinite(pixels[:, 0]))[0])
+    view.set_frame(0)
+    places(scene)
+    view.set_frame(view.frames - 1)
+    assert scene.pick(QPointF(*pixels[seen])) is not None
+
+
 # --- in the window ---------------------------------------------------------------------------
 
 

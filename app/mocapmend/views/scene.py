@@ -14,6 +14,10 @@ NEAR_AND_FAR = np.array([0.1, 60.0])
 """Bounds of the camera's distance in body sizes."""
 PICK_RADIUS = 12.0
 DRAG_THRESHOLD = 4.0
+TURN = 15.0
+"""Degrees that a key turns the view by."""
+APPROACH = 0.8
+"""Share of the distance that is left when a key brings the camera nearer."""
 
 
 class Scene(ScenePicture):
@@ -29,6 +33,7 @@ class Scene(ScenePicture):
 
     def pick(self, position: QPointF) -> int | None:
         """Return the marker nearest to a point of the picture, or None."""
+        self._aim()
         pixels = self._project(self._current_points())
         distance = np.hypot(pixels[:, 0] - position.x(), pixels[:, 1] - position.y())
         if not np.isfinite(distance).any():
@@ -36,8 +41,28 @@ class Scene(ScenePicture):
         nearest = int(np.nanargmin(distance))
         return nearest if distance[nearest] <= PICK_RADIUS else None
 
+    def turn(self, right: int, up: int) -> None:
+        """Go around the body by steps."""
+        self.camera.orbit(TURN * right, TURN * up)
+        self.update()
+
+    def approach(self, steps: int) -> None:
+        """Come nearer, or go away by negative steps."""
+        self._zoom(APPROACH**steps)
+
+    def centre_on(self, marker: int | None) -> None:
+        """Bring a marker near and to the middle; nothing happens where it is missing."""
+        place = np.full(3, np.nan) if marker is None else self._current_points()[marker]
+        if np.isfinite(place).all():
+            self._offset = place - (self._centre() if self.follow else 0.0)
+            self.camera.distance = 1.2 * self._size
+            self.update()
+
+    # --- what the user does ------------------------------------------------------------------
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._press = event.position()
+        self._box = None
         self._dragged = False
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -82,17 +107,10 @@ class Scene(ScenePicture):
             self._click(self.pick(event.position()), add=add)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        marker = self.pick(event.position())
-        if marker is not None:
-            place = self._current_points()[marker]
-            self._offset = place - (self._centre() if self.follow else 0.0)
-            self.camera.distance = 1.2 * self._size
-            self.update()
+        self.centre_on(self.pick(event.position()))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self.camera.zoom(0.999 ** event.angleDelta().y())
-        self.camera.distance = float(np.clip(self.camera.distance, *NEAR_AND_FAR * self._size))
-        self.update()
+        self._zoom(0.999 ** event.angleDelta().y())
 
     def event(self, event: QEvent) -> bool:
         # While a box is drawn, Escape belongs to it, whatever it does elsewhere.
@@ -113,6 +131,11 @@ class Scene(ScenePicture):
         else:
             super().keyPressEvent(event)
 
+    def _zoom(self, factor: float) -> None:
+        self.camera.zoom(factor)
+        self.camera.distance = float(np.clip(self.camera.distance, *NEAR_AND_FAR * self._size))
+        self.update()
+
     def _click(self, marker: int | None, *, add: bool) -> None:
         """Turn a click on a marker, or on none, into a selection."""
         if not add:
@@ -122,6 +145,7 @@ class Scene(ScenePicture):
 
     def _select_inside(self, box: QRectF, *, add: bool) -> None:
         """Select the markers in a box of the picture, in place of the others or beside them."""
+        self._aim()
         x, y = self._project(self._current_points()).T
         inside = (x >= box.left()) & (x <= box.right()) & (y >= box.top()) & (y <= box.bottom())
         kept = self._view.selection if add else ()

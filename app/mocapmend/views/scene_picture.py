@@ -73,7 +73,7 @@ class ScenePicture(QWidget):
         grid = floor_grid(original, self._turn, self._path.overview @ self._turn, self._size)
         self._grid = grid @ self._turn.T
         self._plates = plate_outlines(document.source.force_plates)
-        self._bones = np.array(document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
+        self._take_bones()
         self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
         self._box: QRectF | None = None
@@ -161,6 +161,10 @@ class ScenePicture(QWidget):
 
     def _aim(self) -> None:
         self.camera.target = self._offset + (self._centre() if self.follow else 0.0)
+
+    def _take_bones(self) -> None:
+        self._bones = np.array(self._document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
+        self.update()
 
     def _project(self, points: Array) -> Array:
         return self.camera.project(points, self.width(), self.height())[0]

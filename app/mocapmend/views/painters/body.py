@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QCoreApplication, QPointF, Qt
-from PySide6.QtGui import QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from mocapmend.state import SampleState
 from mocapmend.views.painters.hull import hull
@@ -29,6 +29,8 @@ def paint_sticks(shot: Shot, bones: NDArray[np.intp]) -> None:
 def paint_segments(shot: Shot, segments: Sequence[Segment]) -> None:
     """Put a shape around the markers of each segment that are seen."""
     painter = shot.painter
+    # The tint is faint: smooth edges would take longer than all else and hardly be seen.
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
     for number, segment in _of_several(segments):
         pixels = shot.pixels[list(segment.markers)]
         pixels = pixels[np.isfinite(pixels[:, 0])]
@@ -48,6 +50,7 @@ def paint_segments(shot: Shot, segments: Sequence[Segment]) -> None:
             painter.drawPolygon(QPolygonF(corners))
         elif corners:
             painter.drawLine(corners[0], corners[-1])
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 
 def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> None:
