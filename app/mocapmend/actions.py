@@ -164,11 +164,16 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "turn_left",
         "View",
-        QT_TRANSLATE_NOOP("Actions", "Turn left"),
+        QT_TRANSLATE_NOOP("Actions", "Look from further left"),
         ("Alt+Left",),
         starts_group=True,
     ),
-    ActionSpec("turn_right", "View", QT_TRANSLATE_NOOP("Actions", "Turn right"), ("Alt+Right",)),
+    ActionSpec(
+        "turn_right",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Look from further right"),
+        ("Alt+Right",),
+    ),
     ActionSpec("turn_up", "View", QT_TRANSLATE_NOOP("Actions", "Look from higher up"), ("Alt+Up",)),
     ActionSpec(
         "turn_down", "View", QT_TRANSLATE_NOOP("Actions", "Look from lower down"), ("Alt+Down",)

@@ -140,6 +140,13 @@ def test_a_fill_at_the_end_has_one_edge(document: Document) -> None:
     assert np.isnan(after).all()
 
 
+def test_a_sample_that_no_fill_holds_has_no_edges(document: Document, gap: Gap) -> None:
+    run = Gap(gap.marker, gap.start + 1, gap.start + 2)
+    write(document, Edit(run, np.ones((1, 3)), np.array([SampleState.BAD], np.uint8)))
+    assert edits_in(document, run.start).filled.tolist() == [gap.marker]
+    assert np.isnan(measured_edges(document, gap.marker, run.start)).all()
+
+
 # --- measuring -------------------------------------------------------------------------------
 
 

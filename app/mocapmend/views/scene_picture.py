@@ -206,8 +206,9 @@ class ScenePicture(QWidget):
     def _paint_ghost(self, shot: Shot, ghost: tuple[int, Array] | None) -> None:
         """Paint the previewed repair: its trail, its sticks and the marker as a diamond."""
         preview = self._view.preview
-        if self.layers & {"trails", "all_trails"} and preview is not None and preview.patch:
-            pixels = shot.project(preview.patch.values)
+        patch = None if preview is None else preview.patch
+        if patch is not None and self.layers & {"trails", "all_trails"}:
+            pixels = shot.project(patch.values)
             shot.pen(self._theme.preview, 1.5)
             shot.painter.drawPath(arrayToQPath(pixels[:, 0], pixels[:, 1], connect="finite"))
         if ghost is None:

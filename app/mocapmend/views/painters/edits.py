@@ -49,16 +49,19 @@ def measured_edges(document: Document, marker: int, frame: int) -> Array:
     document : Document
         The recording.
     marker, frame : int
-        A filled sample.
+        A sample that was missing.
 
     Returns
     -------
     ndarray, shape (2, 3)
-        In the file's axes; NaN where the fill has no measured sample beside it.
+        In the file's axes; NaN where there is no fill, or no measured sample beside it.
     """
     runs = document.runs(marker, SampleState.FILLED)
-    start, stop = runs[np.searchsorted(runs[:, 0], frame, side="right") - 1]
     edges = np.full((2, 3), np.nan)
+    around = runs[(runs[:, 0] <= frame) & (frame < runs[:, 1])]
+    if not len(around):
+        return edges
+    start, stop = around[0]
     measured = document.original.points[:, marker]
     if start > 0:
         edges[0] = measured[start - 1]
