@@ -235,7 +235,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "segments",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Segments"),
-        ("G",),
+        ("Shift+K",),
         checkable=True,
     ),
     ActionSpec(

@@ -51,3 +51,14 @@ def test_panning_moves_the_picture_with_the_mouse() -> None:
     camera.pan(30.0, 20.0, 300)
     after, _ = camera.project(np.zeros((1, 3)), 400, 300)
     assert np.allclose(after - before, [[30.0, 20.0]])
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_the_axes_of_the_picture_are_at_right_angles(view: str) -> None:
+    camera = Camera()
+    camera.look(view)
+    axes = camera._axes()
+    assert np.allclose(axes @ axes.T, np.eye(3))
+    assert np.allclose(np.cross(axes[0], axes[1]), -axes[2])
+    assert axes[1, 2] > 0
+    assert camera.turned(np.array([0.0, 0.0, 1.0]))[0] == 0

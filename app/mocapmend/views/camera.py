@@ -1,5 +1,6 @@
 """Where the 3D view looks from, and what that does to points. No Qt."""
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -88,9 +89,13 @@ class Camera:
 
     def _axes(self) -> Array:
         """Return the picture's right, up and into-the-picture directions as rows."""
-        yaw, pitch = np.radians(self.yaw), np.radians(self.pitch)
-        to_camera = np.array(
-            [np.cos(pitch) * np.cos(yaw), np.cos(pitch) * np.sin(yaw), np.sin(pitch)]
+        yaw, pitch = math.radians(self.yaw), math.radians(self.pitch)
+        across, along = math.cos(yaw), math.sin(yaw)
+        level, rise = math.cos(pitch), math.sin(pitch)
+        return np.array(
+            [
+                [-along, across, 0.0],
+                [-rise * across, -rise * along, level],
+                [-level * across, -level * along, -rise],
+            ]
         )
-        right = np.array([-np.sin(yaw), np.cos(yaw), 0.0])
-        return np.stack((right, np.cross(to_camera, right), -to_camera))
