@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -277,7 +278,8 @@ def test_the_switches_of_the_view_are_remembered(
 
 
 def test_every_switch_of_the_view_has_a_setting() -> None:
-    assert set(SHOWN) == set(SWITCHES) - {"separate"}
+    assert set(SHOWN) == {"follow", *get_args(scene_picture.Layer)}
+    assert set(SHOWN) <= set(SWITCHES)
 
 
 def test_all_markers_are_selected_and_none(
