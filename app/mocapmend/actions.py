@@ -89,6 +89,16 @@ ACTIONS: tuple[ActionSpec, ...] = (
         (_Key.Redo, "Ctrl+Shift+Z", "Ctrl+Y"),
         "document",
     ),
+    ActionSpec(
+        "select_all",
+        "Edit",
+        QT_TRANSLATE_NOOP("Actions", "Select all markers"),
+        (_Key.SelectAll,),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "select_none", "Edit", QT_TRANSLATE_NOOP("Actions", "Select no marker"), ("Ctrl+Shift+A",)
+    ),
     ActionSpec("next_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Next gap"), ("N",)),
     ActionSpec("previous_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous gap"), ("P",)),
     ActionSpec(
@@ -212,7 +222,37 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec("view_top", "View", QT_TRANSLATE_NOOP("Actions", "Top view"), ("Alt+5",)),
     ActionSpec("view_oblique", "View", QT_TRANSLATE_NOOP("Actions", "Oblique view"), ("Alt+6",)),
     ActionSpec(
-        "follow", "View", QT_TRANSLATE_NOOP("Actions", "Follow the body"), ("F",), checkable=True
+        "turn_left",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Look from further left"),
+        ("Alt+Left",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "turn_right",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Look from further right"),
+        ("Alt+Right",),
+    ),
+    ActionSpec("turn_up", "View", QT_TRANSLATE_NOOP("Actions", "Look from higher up"), ("Alt+Up",)),
+    ActionSpec(
+        "turn_down", "View", QT_TRANSLATE_NOOP("Actions", "Look from lower down"), ("Alt+Down",)
+    ),
+    ActionSpec("nearer", "View", QT_TRANSLATE_NOOP("Actions", "Nearer"), ("Alt++", "Alt+=")),
+    ActionSpec("farther", "View", QT_TRANSLATE_NOOP("Actions", "Farther"), ("Alt+-",)),
+    ActionSpec(
+        "centre_marker",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Centre the current marker"),
+        ("Alt+0",),
+    ),
+    ActionSpec(
+        "follow",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Follow the body"),
+        ("F",),
+        checkable=True,
+        starts_group=True,
     ),
     ActionSpec(
         "labels", "View", QT_TRANSLATE_NOOP("Actions", "Marker labels"), ("L",), checkable=True
@@ -222,6 +262,68 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "View",
         QT_TRANSLATE_NOOP("Actions", "Trail of the selection"),
         ("T",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "all_trails",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Trails of all markers"),
+        ("Shift+T",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "longer_trails",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Longer trails"),
+        ("Ctrl+T",),
+    ),
+    ActionSpec(
+        "shorter_trails",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Shorter trails"),
+        ("Ctrl+Shift+T",),
+    ),
+    ActionSpec(
+        "sticks",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Sticks"),
+        ("K",),
+        checkable=True,
+        starts_group=True,
+    ),
+    ActionSpec(
+        "segments",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Segments"),
+        ("Shift+K",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "ground",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Ground grid"),
+        (),
+        checkable=True,
+    ),
+    ActionSpec(
+        "plates",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Force plates"),
+        (),
+        checkable=True,
+    ),
+    ActionSpec(
+        "before_after",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Before and after the edits"),
+        ("C",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "measure",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Measure the selection"),
+        ("R",),
         checkable=True,
     ),
     ActionSpec(

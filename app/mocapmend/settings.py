@@ -33,6 +33,23 @@ LIMIT_ERROR = Setting(key="repair/limit_error", default=True)
 MAX_ERROR_MM = Setting("repair/max_error_mm", 20.0)
 RANKING = Setting(key="queue/ranking", default=True)
 COMPARE = Setting(key="repair/compare", default=True)
+TRAIL_SECONDS = Setting("view/trail_seconds", 0.5)
+SHOWN = {
+    name: Setting(f"view/{name}", default)
+    for name, default in (
+        ("follow", True),
+        ("labels", False),
+        ("trails", True),
+        ("all_trails", False),
+        ("sticks", True),
+        ("segments", False),
+        ("ground", True),
+        ("plates", True),
+        ("before_after", False),
+        ("measure", False),
+    )
+}
+"""What the 3D view shows, by the id of the action that switches it."""
 
 RECENT_LIMIT = 10
 

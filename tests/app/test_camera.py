@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mocapmend.views.camera import VIEWS, Camera, body_path, body_size, upright
+from mocapmend.views.camera import VIEWS, Camera, upright
 
 ALL_UP = ["+x", "-x", "+y", "-y", "+z", "-z"]
 
@@ -53,20 +53,12 @@ def test_panning_moves_the_picture_with_the_mouse() -> None:
     assert np.allclose(after - before, [[30.0, 20.0]])
 
 
-def test_the_body_path_follows_a_walk_through_gaps() -> None:
-    frames = 500
-    walk = np.zeros((frames, 6, 3))
-    walk[:, :, 0] = np.linspace(0, 4000, frames)[:, None]
-    walk[:, :, 2] = np.arange(6) * 300.0
-    walk[200:260] = np.nan
-    path = body_path(walk, 100.0)
-    assert np.isfinite(path).all()
-    assert np.abs(path[60:-60, 0] - np.linspace(0, 4000, frames)[60:-60]).max() < 100
-    assert body_size(walk, path) < 1500
-
-
-def test_an_empty_recording_has_a_place_and_a_size() -> None:
-    empty = np.full((10, 2, 3), np.nan)
-    path = body_path(empty, 100.0)
-    assert (path == 0).all()
-    assert body_size(empty, path) == 1.0
+@pytest.mark.parametrize("view", VIEWS)
+def test_the_axes_of_the_picture_are_at_right_angles(view: str) -> None:
+    camera = Camera()
+    camera.look(view)
+    axes = camera._axes()
+    assert np.allclose(axes @ axes.T, np.eye(3))
+    assert np.allclose(np.cross(axes[0], axes[1]), -axes[2])
+    assert axes[1, 2] > 0
+    assert camera.turned(np.array([0.0, 0.0, 1.0]))[0] == 0

@@ -149,7 +149,7 @@ def test_the_scene_shows_the_preview_in_its_frames_alone(
     document: Document, view: ViewState, gap: Gap, qtbot: QtBot
 ) -> None:
     scene = Scene(document, view, DARK)
-    scene.set_trails(on=False)
+    scene.set_layer("trails", on=False)
     qtbot.addWidget(scene)
     view.set_gap(gap)
     view.set_frame(gap.start)

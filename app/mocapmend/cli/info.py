@@ -91,7 +91,7 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
         ],
         "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
         "repairs": [record.as_json() for record in source.repairs],
-        "force_plates": [_force_plate(plate, recording.mm) for plate in _force_plates(source)],
+        "force_plates": [_force_plate(plate, recording.mm) for plate in source.force_plates],
         "skeleton": {
             "name": skeleton.name,
             "source": skeleton.source,
@@ -113,10 +113,6 @@ def _repairs(source: Source) -> str:
         return "none that a repair record lists"
     count = common.count(len(source.repaired), "gap")
     return f"{count} filled by {source.provenance.program}"
-
-
-def _force_plates(source: Source) -> tuple[ForcePlate, ...]:
-    return source.force_plates if isinstance(source, C3DFile) else ()
 
 
 def _force_plate(plate: ForcePlate, mm: float) -> dict[str, Any]:
@@ -168,7 +164,7 @@ def _summary(source: Source, skeleton: Skeleton) -> list[str]:
         ("Events", str(len(source.events))),
         ("Analog", f"{len(source.analog_labels)} channels, {source.analog_rate:g} Hz"),
         ("Repairs", _repairs(source)),
-        ("Force plates", _plates_in_words(_force_plates(source))),
+        ("Force plates", _plates_in_words(source.force_plates)),
         (
             "Skeleton",
             f"{origin}, {bones} in {segments}" if skeleton.segments else f"{origin}, {bones}",

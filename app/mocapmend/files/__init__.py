@@ -2,12 +2,12 @@
 
 from mocapmend.files.atomic import same_file
 from mocapmend.files.c3d_encode import SampleRun
-from mocapmend.files.c3d_force_plates import ForcePlate
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_new import write_new_c3d
 from mocapmend.files.c3d_patch import save_patched
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
+from mocapmend.files.force_plate import ForcePlate
 from mocapmend.files.formats import FORMATS, read_recording
 from mocapmend.files.opening import Stamp
 from mocapmend.files.provenance import Provenance, RepairRecord

@@ -1,12 +1,11 @@
 """The force plates that a C3D file describes."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_parameters import Parameters
+from mocapmend.files.force_plate import ForcePlate
 
 CHANNELS = {1: 6, 2: 6, 3: 8, 4: 6, 5: 8, 6: 12, 7: 8}
 """Analog channels of the types of plates that c3d.org describes."""
@@ -14,29 +13,6 @@ WITH_MATRIX = 4
 """The type of plates whose channels become forces by a matrix."""
 MOST = 255
 """The plates are counted by a dimension of one byte."""
-
-
-@dataclass(frozen=True, eq=False)
-class ForcePlate:
-    """A force plate; what the file does not say is None, NaN or empty.
-
-    Attributes
-    ----------
-    type : int or None
-        The kind of its channels, as c3d.org numbers them.
-    corners : ndarray, shape (4, 3), float64
-        In the recording's unit and axes.
-    origin : ndarray, shape (3,), float64
-        From the origin of the sensors to the middle of the surface or back, as the type has it,
-        in the recording's unit and the plate's axes.
-    channels : tuple of int
-        Its analog channels, from 0, as the columns of `C3DFile.read_analog`.
-    """
-
-    type: int | None
-    corners: NDArray[np.float64]
-    origin: NDArray[np.float64]
-    channels: tuple[int, ...]
 
 
 def read_force_plates(layout: Layout, warnings: list[str]) -> tuple[ForcePlate, ...]:
@@ -108,8 +84,6 @@ def _oddities(plate: ForcePlate, *, calibrated: bool) -> list[str]:
         found.append(f"type {WITH_MATRIX} needs a calibration matrix, and there is none")
     if plate.type in {1, 2, 3} and calibrated:
         found.append(f"type {plate.type} has no use for the calibration matrix")
-    across, along = plate.corners[2] - plate.corners[0], plate.corners[3] - plate.corners[1]
-    # Not greater than 0: that is also what is not a number.
-    if not np.linalg.norm(np.cross(across, along)) > 0:
+    if not plate.spans_surface:
         found.append("the corners span no surface")
     return found

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.files.c3d_force_plates import ForcePlate, read_force_plates
+from mocapmend.files.c3d_force_plates import read_force_plates
 from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_labels import (
@@ -49,8 +49,6 @@ class C3DFile(Source):
         The stored point of each marker of the recording.
     residuals : ndarray, shape (frames, markers), float32
         Residuals in the recording's unit, NaN where the marker is missing.
-    force_plates : tuple of ForcePlate
-        In the order of the file.
     analog_units : tuple of str
         One per analog channel, as the file writes it; empty where it has none.
     """
@@ -58,7 +56,6 @@ class C3DFile(Source):
     layout: Layout
     marker_points: tuple[int, ...]
     residuals: NDArray[np.float32]
-    force_plates: tuple[ForcePlate, ...] = ()
     analog_units: tuple[str, ...] = ()
 
     @property

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from mocapmend.files.force_plate import ForcePlate
 from mocapmend.files.opening import Stamp
 from mocapmend.files.provenance import Provenance, RepairRecord
 from mocapmend_algorithms.gaps import Gap, find_gaps
@@ -65,6 +66,8 @@ class Source:
         One per analog channel.
     analog_rate : float
         Analog samples per second (Hz), 0 without analog.
+    force_plates : tuple of ForcePlate
+        In the order of the file.
     warnings : tuple of str
         What was odd and what was assumed, as sentences.
     frames_promised : int
@@ -86,6 +89,7 @@ class Source:
     model_outputs: tuple[str, ...] = ()
     analog_labels: tuple[str, ...] = ()
     analog_rate: float = 0.0
+    force_plates: tuple[ForcePlate, ...] = ()
     warnings: tuple[str, ...] = ()
     frames_promised: int = 0
     provenance: Provenance | None = None

@@ -1,5 +1,6 @@
 """Where the 3D view looks from, and what that does to points. No Qt."""
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -88,54 +89,13 @@ class Camera:
 
     def _axes(self) -> Array:
         """Return the picture's right, up and into-the-picture directions as rows."""
-        yaw, pitch = np.radians(self.yaw), np.radians(self.pitch)
-        to_camera = np.array(
-            [np.cos(pitch) * np.cos(yaw), np.cos(pitch) * np.sin(yaw), np.sin(pitch)]
+        yaw, pitch = math.radians(self.yaw), math.radians(self.pitch)
+        across, along = math.cos(yaw), math.sin(yaw)
+        level, rise = math.cos(pitch), math.sin(pitch)
+        return np.array(
+            [
+                [-along, across, 0.0],
+                [-rise * across, -rise * along, level],
+                [-level * across, -level * along, -rise],
+            ]
         )
-        right = np.array([-np.sin(yaw), np.cos(yaw), 0.0])
-        return np.stack((right, np.cross(to_camera, right), -to_camera))
-
-
-def body_path(points: Array, rate: float) -> Array:
-    """Return where the body is in each frame: the middle of its extent, smoothed over a second.
-
-    Parameters
-    ----------
-    points : ndarray, shape (frames, markers, 3)
-        NaN where missing.
-    rate : float
-        Frames per second.
-
-    Returns
-    -------
-    ndarray, shape (frames, 3)
-        Finite as long as any sample is.
-    """
-    frames = len(points)
-    step = max(1, round(rate / 10.0))
-    sampled = np.arange(0, frames, step)
-    ordered = np.sort(points[sampled], axis=1)
-    count = np.count_nonzero(~np.isnan(ordered[:, :, 0]), axis=1)
-    seen = count > 0
-    if not seen.any():
-        return np.zeros((frames, 3))
-    # Not the outermost markers: a ghost far from the body must not move the picture.
-    outermost = np.floor(0.05 * (count[seen] - 1)).astype(np.intp)
-    rows = np.flatnonzero(seen)
-    known = (ordered[rows, outermost] + ordered[rows, count[seen] - 1 - outermost]) / 2.0
-    smooth = np.ones(11) / 11.0
-    path = np.empty((frames, 3))
-    for axis in range(3):
-        # Over frames without any marker first, so that the smoothing sees equal steps.
-        centre = np.interp(sampled, sampled[seen], known[:, axis])
-        centre = np.convolve(np.pad(centre, 5, mode="edge"), smooth, mode="valid")
-        path[:, axis] = np.interp(np.arange(frames), sampled, centre)
-    return path
-
-
-def body_size(points: Array, path: Array) -> float:
-    """Return the radius around the body's path that holds nearly all markers."""
-    step = max(1, len(points) // 200)
-    reach = np.linalg.norm(points[::step] - path[::step, None], axis=2)
-    reach = reach[np.isfinite(reach)]
-    return float(np.percentile(reach, 98.0)) if reach.size else 1.0

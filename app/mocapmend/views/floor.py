@@ -17,7 +17,7 @@ def floor_grid(
         Its lowest markers give the height of the ground.
     turn : ndarray, shape (3, 3)
         Brings the file's axes upright: points @ turn.
-    path : ndarray, shape (frames, 3)
+    path : ndarray, shape (places, 3)
         Where the body goes, upright.
     size : float
         Radius of the body in the recording's unit.
@@ -27,7 +27,7 @@ def floor_grid(
     ndarray, shape (2 * lines, 3)
         Pairs of ends; cells of half a metre, coarser where the capture is large.
     """
-    step = max(1, recording.frames // 500)
+    step = max(1, recording.frames // 300)
     heights = (recording.points[::step] @ turn)[:, :, 2]
     heights = heights[np.isfinite(heights)]
     if not heights.size:

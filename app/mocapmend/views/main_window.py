@@ -32,6 +32,7 @@ from mocapmend.settings import (
     COMPARE,
     GEOMETRY,
     RECENT_FILES,
+    SHOWN,
     THEME,
     Settings,
 )
@@ -100,8 +101,11 @@ class MainWindow(QMainWindow):
         self.restoreGeometry(settings.get(GEOMETRY))
         self.actions_by_id["theme"].setChecked(self.theme is LIGHT)
         self.actions_by_id["compare"].setChecked(settings.get(COMPARE))
-        self.actions_by_id["follow"].setChecked(True)
-        self.actions_by_id["trails"].setChecked(True)
+        for name, shown in SHOWN.items():
+            self.actions_by_id[name].setChecked(settings.get(shown))
+            self.actions_by_id[name].toggled.connect(
+                lambda on, shown=shown: settings.set(shown, on)
+            )
         self._show_theme()
         self._show_document()
 

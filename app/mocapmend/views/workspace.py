@@ -17,7 +17,7 @@ from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order
 from mocapmend.prospects import Prospects
 from mocapmend.report import About
-from mocapmend.settings import LAYOUT, RANKING, Settings
+from mocapmend.settings import LAYOUT, RANKING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.filling import Filling
@@ -82,6 +82,7 @@ class Workspace(QMainWindow):
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.push, self)
         self.scene = Scene(document, self.view, theme)
+        self.scene.set_trail_seconds(settings.get(TRAIL_SECONDS))
         self.trajectories = Trajectories(document, self.view, theme)
         self.timeline = Timeline(document, self.view, theme)
         self.markers = MarkerTable(document, self.view, theme)
@@ -160,6 +161,21 @@ class Workspace(QMainWindow):
         """Remember where the panes are."""
         if self.arranged:
             self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
+
+    # --- the 3D view -------------------------------------------------------------------------
+
+    def select_all(self) -> None:
+        """Select all markers; the current one stays the current one."""
+        markers = range(self.document.original.markers)
+        kept = self.view.selection[-1:]
+        self.view.select((*(marker for marker in markers if marker not in kept), *kept))
+
+    def step_trails(self, step: int) -> None:
+        """Make trails longer (1) or shorter (-1), and remember how long they are."""
+        self.scene.step_trails(step)
+        seconds = self.scene.trail_seconds
+        self._settings.set(TRAIL_SECONDS, seconds)
+        self.message.emit(self.tr("Trails reach {0} s back and ahead.").format(f"{seconds:g}"))
 
     # --- gaps --------------------------------------------------------------------------------
 

@@ -1,0 +1,93 @@
+"""The body: sticks, segments and markers."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QCoreApplication, QPointF, Qt
+from PySide6.QtGui import QPainter, QPen, QPolygonF
+
+from mocapmend.state import SampleState
+from mocapmend.views.painters.hull import hull
+from mocapmend.views.painters.shot import Shot
+from mocapmend_algorithms.skeleton import Segment
+
+translate = QCoreApplication.translate
+
+SEGMENT_WIDTH = 15.0
+"""Of the shape around a segment's markers, in pixels."""
+TINT = 0.28
+"""Share of the segment's colour in what its shape is painted with."""
+
+
+def paint_sticks(shot: Shot, bones: NDArray[np.intp]) -> None:
+    """Join the ends of bones, shape (bones, 2)."""
+    shot.pen(shot.theme.bone, 1.5)
+    shot.pairs(shot.pixels[bones].reshape(-1, 2))
+
+
+def paint_segments(shot: Shot, segments: Sequence[Segment]) -> None:
+    """Put a shape around the markers of each segment that are seen."""
+    painter = shot.painter
+    # The tint is faint: smooth edges would hardly be seen, and take a third of a frame's time.
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
+    for number, segment in _of_several(segments):
+        pixels = shot.pixels[list(segment.markers)]
+        pixels = pixels[np.isfinite(pixels[:, 0])]
+        colour = shot.tint(shot.curve_colour(number - 1), TINT)
+        painter.setPen(
+            QPen(
+                colour,
+                SEGMENT_WIDTH,
+                Qt.PenStyle.SolidLine,
+                Qt.PenCapStyle.RoundCap,
+                Qt.PenJoinStyle.RoundJoin,
+            )
+        )
+        painter.setBrush(colour)
+        corners = [QPointF(*pixel) for pixel in hull(pixels)]
+        if len(corners) > 2:
+            painter.drawPolygon(QPolygonF(corners))
+        elif corners:
+            painter.drawLine(corners[0], corners[-1])
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+
+
+def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> None:
+    """Write each segment's name, or its number where it has none, into its middle."""
+    metrics = shot.painter.fontMetrics()
+    for number, segment in _of_several(segments):
+        pixels = shot.pixels[list(segment.markers)]
+        pixels = pixels[np.isfinite(pixels[:, 0])]
+        if len(pixels):
+            name = segment.name or translate("Scene", "segment {0}").format(number)
+            x, y = (pixels.min(axis=0) + pixels.max(axis=0)) / 2.0
+            shot.pen(shot.theme.text)
+            left = x - metrics.horizontalAdvance(name) / 2.0
+            shot.painter.drawText(QPointF(left, y + metrics.ascent() / 2.0), name)
+
+
+def paint_markers(shot: Shot) -> None:
+    """Paint measured markers as circles, filled ones as squares and bad ones as crosses."""
+    states = shot.document.state[shot.view.frame]
+    drawn = np.isfinite(shot.pixels[:, 0])
+
+    measured, filled, bad = (
+        shot.pixels[drawn & (states == state)]
+        for state in (SampleState.MEASURED, SampleState.FILLED, SampleState.BAD)
+    )
+    shot.dots(measured, shot.theme.marker, 6.0)
+    ink = shot.theme.state_colour(SampleState.FILLED)
+    shot.dots(filled, ink, 6.5, Qt.PenCapStyle.SquareCap)
+    shot.pen(shot.theme.state_colour(SampleState.BAD), 2.0)
+    shot.crosses(bad, 4.0)
+    for order, marker in enumerate(shot.view.selection):
+        if drawn[marker]:
+            shot.pen(shot.curve_colour(order), 2)
+            shot.painter.drawEllipse(QPointF(*shot.pixels[marker]), 7.0, 7.0)
+
+
+def _of_several(segments: Sequence[Segment]) -> list[tuple[int, Segment]]:
+    """Return the segments of more than one marker, numbered from 1."""
+    several = [segment for segment in segments if len(segment.markers) > 1]
+    return list(enumerate(several, start=1))

@@ -1,0 +1,43 @@
+"""Marker labels, and what is said in the corner of the view."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor
+
+from mocapmend.views.painters.shot import Array, Shot
+
+MARGIN = 8.0
+
+
+def paint_labels(shot: Shot, places: Array, markers: Iterable[int]) -> None:
+    """Write labels beside their markers' places in the picture, shape (markers, 2)."""
+    labels, selection = shot.document.names, set(shot.view.selection)
+    metrics = shot.painter.fontMetrics()
+    text, dim = QColor(shot.theme.text), QColor(shot.theme.dim)
+    for marker in markers:
+        x, y = places[marker]
+        if np.isfinite(x):
+            width = metrics.horizontalAdvance(labels[marker])
+            left = x + 10
+            if left + width > shot.width:
+                # On the other side, but never with its beginning out of the picture.
+                left = max(2.0, x - 10 - width)
+            shot.painter.setPen(text if marker in selection else dim)
+            shot.painter.drawText(QPointF(left, y - 6), labels[marker])
+
+
+def paint_captions(shot: Shot, lines: Sequence[str]) -> None:
+    """Write lines into the upper left corner, readable whatever is behind them."""
+    painter, top = shot.painter, MARGIN
+    flags = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
+    ground = QColor(shot.theme.base)
+    ground.setAlpha(210)
+    for line in lines:
+        room = QRectF(MARGIN, top, shot.width - 2 * MARGIN, shot.height)
+        box = painter.boundingRect(room, flags, line)
+        painter.fillRect(box.adjusted(-4, -2, 4, 2), ground)
+        painter.setPen(QColor(shot.theme.text))
+        painter.drawText(room, flags, line)
+        top = box.bottom() + 4.0
