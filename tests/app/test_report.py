@@ -221,9 +221,7 @@ def read(page: str) -> Reader:
 
 
 def test_the_page_is_whole_and_needs_nothing_else() -> None:
-    about = About(
-        "walk.c3d", ("cubic",), "none", ("It is odd.",), proof=("All is well.",)
-    )
+    about = About("walk.c3d", ("cubic",), "none", ("It is odd.",), proof=("All is well.",))
     page = render(summarised(), about)
     reader = read(page)
     assert all(address.startswith("#") for address in reader.addresses)

@@ -110,7 +110,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         console.start("Report")
         _write_report(done, arguments.report, console)
     files = {"report": arguments.report, "recipe": arguments.recipe}
-    console.result(**done.as_json(files, samples=arguments.samples))
+    if console.as_json:
+        console.result(**done.as_json(files, samples=arguments.samples))
     done.show(console, files)
     return 0
 
@@ -203,7 +204,7 @@ def _fill(
 def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:
     engine.write_report(
         done.source.measured,
-        engine.repaired(done.source.recording, done.result),
+        done.after,
         engine.find_skeleton(done.source, console.progress),
         done.all_repairs,
         done.result.unfilled,

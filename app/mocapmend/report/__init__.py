@@ -1,6 +1,6 @@
 """The report: what the repairs changed, as figures for the window and as HTML or PDF. No Qt."""
 
-from mocapmend.report.methods import Methods, describe
+from mocapmend.report.methods import Methods, describe, method_text
 from mocapmend.report.model import About, EditRow, MarkerRow, OpenGap, RepairRow, Report
 from mocapmend.report.summary import summarise
 from mocapmend.report.writing import ENDINGS, check_report_ending, write_report
@@ -16,6 +16,7 @@ __all__ = [
     "Report",
     "check_report_ending",
     "describe",
+    "method_text",
     "summarise",
     "write_report",
 ]

@@ -3,13 +3,14 @@
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from math import isnan
 from statistics import median
 
 from mocapmend import __version__
 from mocapmend.report.model import About, RepairRow, Report
 from mocapmend.report.sources import SOURCES
+from mocapmend_algorithms.fill.params import write_words
 from mocapmend_algorithms.fill.registry import METHODS
 
 MOST_REASONS = 4
@@ -76,6 +77,30 @@ def describe(report: Report, about: About) -> Methods:
         f"Check of the written file: {about.proof[0]}" if about.proof else "",
     )
     return Methods(" ".join(filter(None, sentences)), tuple(references))
+
+
+def method_text(method: str, params: object) -> str:
+    """Name a method with those of its parameters that differ from their defaults.
+
+    Parameters
+    ----------
+    method : str
+        Method id.
+    params : object
+        The method's parameter dataclass. Of earlier repairs there is only a mapping, in which
+        defaults cannot be told from what was chosen: it is left out.
+    """
+    chosen = [
+        f"{field.name}={_written(value)}"
+        for field in (fields(params) if is_dataclass(params) else ())
+        if (value := getattr(params, field.name)) != field.default
+    ]
+    return method + (f" ({', '.join(chosen)})" if chosen else "")
+
+
+def _written(value: object) -> str:
+    """Return a parameter's value as the command line takes it."""
+    return write_words(value) if isinstance(value, tuple) else str(value)
 
 
 def _facts(report: Report, about: About) -> str:

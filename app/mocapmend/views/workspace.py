@@ -14,7 +14,6 @@ from mocapmend.document import Document, Edit
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order, neighbour
-from mocapmend.report import About
 from mocapmend.settings import LAYOUT, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.dialogs import left_open_dialog
@@ -23,6 +22,7 @@ from mocapmend.views.player import Player
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
+from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.timeline import Timeline
@@ -30,7 +30,6 @@ from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, default_frames
-from mocapmend_algorithms.fill.registry import method_label
 
 LAYOUT_VERSION = 2
 TAB_HEIGHT = 36
@@ -75,7 +74,8 @@ class Workspace(QMainWindow):
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
-        self.report = ReportPane(document, self.view, jobs, theme, actions)
+        self.facts = ReportFacts(document)
+        self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
         self.last_export: Path | None = None
@@ -222,7 +222,7 @@ class Workspace(QMainWindow):
             tuple(entry for entry in result.unfilled if entry.gap in still_open),
             result.notes,
         )
-        self._left_open = result.unfilled
+        self._left_open = self.facts.left_open = result.unfilled
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
             edits = Edit.fills(result, method, params)
@@ -281,6 +281,7 @@ class Workspace(QMainWindow):
         return self._exported if self.document.undo_stack.isClean() else None
 
     def _show_proof(self) -> None:
+        self.facts.proof = () if self._proof is None else self._proof.sentences
         if self.last_export is None:
             self.report.show_proof(self.tr("Not exported yet."))
         elif self._proof is None:
@@ -293,24 +294,13 @@ class Workspace(QMainWindow):
     def report_inputs(self) -> tuple[Any, ...]:
         """Return what `engine.write_report` needs, as it is now."""
         document = self.document
-        used = sorted({repair.method for repair in document.repairs.values()})
-        proof = self._proof
-        about = About(
-            file=document.source.path.name,
-            methods=tuple(method_label(method) for method in used),
-            warnings=document.source.warnings,
-            earlier=sum(map(document.is_earlier, document.repairs)),
-            proof=() if proof is None else proof.sentences,
-        )
-        still_open = set(document.gaps)
-        unfilled = [entry for entry in self._left_open if entry.gap in still_open]
         return (
             document.original,
             document.snapshot(),
             document.skeleton,
             document.repair_rows(),
-            unfilled,
-            about,
+            self.facts.unfilled(),
+            self.facts.about(),
         )
 
     # --- time --------------------------------------------------------------------------------
