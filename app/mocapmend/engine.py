@@ -380,6 +380,9 @@ def report_figures(
     about: report.About,
     progress: Progress,
 ) -> tuple[report.Report, report.Methods]:
-    """Return the figures of a report, and its methods paragraph."""
+    """Return the figures of a report, and its methods paragraph, for the window.
+
+    The lists of repairs and open gaps, which the window has, are left out: they may be long.
+    """
     summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
-    return summary, report.describe(summary, about)
+    return replace(summary, repairs=(), open_gaps=()), report.describe(summary, about)

@@ -2,6 +2,7 @@
 
 from mocapmend.report.methods import Methods, describe, method_text
 from mocapmend.report.model import About, EditRow, MarkerRow, OpenGap, RepairRow, Report
+from mocapmend.report.rows import repair_rows
 from mocapmend.report.summary import summarise
 from mocapmend.report.writing import ENDINGS, check_report_ending, write_report
 
@@ -17,6 +18,7 @@ __all__ = [
     "check_report_ending",
     "describe",
     "method_text",
+    "repair_rows",
     "summarise",
     "write_report",
 ]

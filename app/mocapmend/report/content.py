@@ -232,7 +232,7 @@ def _history(report: Report, about: About) -> Iterator[Part]:
 
 def _check(about: About) -> Iterator[Part]:
     if about.proof:
-        yield Text("Before the file got its name, this was found:")
+        yield Text("This was found when the written file was read back:")
         yield Bullets(about.proof)
     else:
         yield Text("This report was made without writing a recording, so no file was checked.")
