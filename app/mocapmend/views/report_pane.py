@@ -1,6 +1,7 @@
 """The report pane: what the repairs changed, in pages, computed anew after every edit."""
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
@@ -110,6 +111,18 @@ class ReportPane(QWidget):
         layout.addLayout(head)
         layout.addWidget(self.pages, 1)
         self.setFocusProxy(self.tabs)
+        fields = (
+            self.tabs,
+            self.tracking.unit,
+            self.bones.table,
+            self.markers.table,
+            self.methods.text,
+            self.methods.copy,
+            self.history.table,
+            check,
+        )
+        for one, other in pairwise(fields):
+            QWidget.setTabOrder(one, other)
 
     def _compute(self) -> None:
         self.stop()
