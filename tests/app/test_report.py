@@ -237,6 +237,14 @@ def test_the_page_is_whole_and_needs_nothing_else() -> None:
         assert part in text or part in page, part
 
 
+def test_the_table_of_contents_leads_to_every_heading() -> None:
+    page = render(summarised(), About("walk.c3d"))
+    links = re.findall(r'<a href="#([a-z]+)">', page)
+    assert links == re.findall(r'<h2 id="([a-z]+)">', page)
+    assert {"methods", "markers", "repairs", "open", "history", "check"} <= set(links)
+    assert "@media print" in page
+
+
 def test_before_and_after_differ_by_more_than_colour() -> None:
     page = render(summarised(), About("walk.c3d"))
     assert "stroke-dasharray" in re.search(r"\.before \{[^}]*\}", page).group()

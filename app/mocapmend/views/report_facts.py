@@ -34,7 +34,9 @@ class ReportFacts:
         """Return what the report says about its making."""
         document = self._document
         source = document.source
-        used = {method_text(made.method, made.params) for made in document.repairs.values()}
+        # The fills of one step share their parameters: there may be thousands of them.
+        made = {(one.method, id(one.params)): one for one in document.repairs.values()}
+        used = {method_text(one.method, one.params) for one in made.values()}
         return About(
             file=source.path.name,
             methods=tuple(sorted(used)),
