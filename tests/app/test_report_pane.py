@@ -9,10 +9,13 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QTableWidget
 from pytestqt.qtbot import QtBot
 
+from mocapmend import engine
 from mocapmend.document import Edit
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms import no_progress
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.registry import METHODS
 
 Open = Callable[[Path], MainWindow]
@@ -33,13 +36,10 @@ def workspace(open_in: Open, gait: Path, qtbot: QtBot) -> Workspace:
 
 
 def fill(workspace: Workspace, qtbot: QtBot, count: int) -> None:
-    """Fill gaps by the middle of nothing in particular, and wait for the report."""
+    """Fill the first gaps linearly and wait for the report."""
     document, pane = workspace.document, workspace.report
     before = pane.report
     gaps = [gap for gap in document.gaps if gap.length < document.original.frames][:count]
-    from mocapmend import engine
-    from mocapmend_algorithms import no_progress
-
     params = METHODS["linear"].params()
     result = engine.fill_anyway(document.original, gaps, "linear", params, no_progress)
     workspace.push(Edit.fills(result, "linear", params), f"fill {count}")
@@ -108,6 +108,14 @@ def test_the_paragraph_is_copied(workspace: Workspace, qtbot: QtBot) -> None:
     pane.tabs.setCurrentIndex(METHODS_PAGE)
     qtbot.mouseClick(pane.methods.copy, Qt.MouseButton.LeftButton)
     assert QGuiApplication.clipboard().text() == text
+
+
+def test_reasons_of_a_fill_that_filled_nothing_are_told(workspace: Workspace, qtbot: QtBot) -> None:
+    gap = workspace.document.gaps[0]
+    unfilled = FillResult((), (Unfilled(gap, "it is too far away"),))
+    workspace._accept_all("linear", METHODS["linear"].params(), unfilled)
+    text = workspace.report.methods.text
+    qtbot.waitUntil(lambda: "it is too far away (1 gap)" in text.toPlainText(), timeout=20_000)
 
 
 def test_the_history_lists_steps_and_what_was_undone(workspace: Workspace, qtbot: QtBot) -> None:

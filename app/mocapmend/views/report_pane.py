@@ -81,6 +81,10 @@ class ReportPane(QWidget):
         """Say what is proved about the last export; the methods paragraph says it too."""
         self._proof.setText(text)
         self._proof.setToolTip("\n".join(sentences))
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Compute it anew, soon: the facts beside the samples have changed."""
         self._timer.start()
 
     def stop(self) -> None:

@@ -223,6 +223,7 @@ class Workspace(QMainWindow):
             result.notes,
         )
         self._left_open = self.facts.left_open = result.unfilled
+        self.report.refresh()
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
             edits = Edit.fills(result, method, params)
