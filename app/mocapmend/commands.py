@@ -26,6 +26,11 @@ class EditSamples(QUndoCommand):
         self._after = tuple(edits)
         self._before = tuple(document.read(edit.gap) for edit in edits)
 
+    @property
+    def edits(self) -> tuple[Edit, ...]:
+        """What it writes."""
+        return self._after
+
     def redo(self) -> None:
         """Write the new runs."""
         self._document.apply(self._after)

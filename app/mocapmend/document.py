@@ -13,7 +13,7 @@ from mocapmend import engine
 from mocapmend.engine import Changes
 from mocapmend.files import RepairRecord, SampleRun, Source
 from mocapmend.names import short_names
-from mocapmend.report import RepairRow
+from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import SharedRecording
 from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap, Recording
@@ -266,10 +266,8 @@ class Document(QObject):
 
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""
-        return [
-            RepairRow.of(repair.patch, repair.method, self.original, repair.donors)
-            for _, repair in sorted(self.repairs.items())
-        ]
+        made = [self.repairs[gap] for gap in sorted(self.repairs)]
+        return repair_rows([(one.patch, one.method, one.donors) for one in made], self.original)
 
     def _find_runs(self, marker: int) -> dict[SampleState, NDArray[np.int64]]:
         states = self._state[:, marker]

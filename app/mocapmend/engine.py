@@ -363,12 +363,30 @@ def write_report(
     path: Path,
     progress: Progress,
 ) -> None:
-    """Write the HTML report of a recording before and after its repairs.
+    """Write the report of a recording before and after its repairs: HTML or PDF, by its name.
 
     Raises
     ------
     MocapmendError
-        If it cannot be written.
+        If the name says neither, or if it cannot be written.
+    """
+    report.check_report_ending(path)
+    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
+    report.write_report(summary, about, path)
+
+
+def report_figures(
+    before: Recording,
+    after: Recording,
+    skeleton: Skeleton,
+    repairs: Sequence[report.RepairRow],
+    unfilled: Sequence[Unfilled],
+    about: report.About,
+    progress: Progress,
+) -> tuple[report.Report, report.Methods]:
+    """Return the figures of a report, and its methods paragraph, for the window.
+
+    The lists of repairs and open gaps, which the window has, are left out: they may be long.
     """
     summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
-    report.write_html(summary, about, path)
+    return replace(summary, repairs=(), open_gaps=()), report.describe(summary, about)

@@ -339,7 +339,7 @@ def test_the_report_shows_before_and_after(opened: MainWindow, qtbot: QtBot) -> 
     second = pane.report
     assert second is not None
     assert second.success_after.running_mean[-1] > second.success_before.running_mean[-1]
-    assert pane._table.rowCount() == len(second.bones)
+    assert pane.bones.table.rowCount() == len(second.bones)
 
 
 def test_a_repair_can_be_turned_back_into_a_gap(opened: MainWindow, qtbot: QtBot) -> None:

@@ -5,12 +5,13 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QPushButton, QTableWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QTableWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend.cli import main
 from mocapmend.files import read_c3d
 from mocapmend.files.sidecar import sidecar_path
+from mocapmend.views.action_button import ActionButton
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
 
@@ -362,10 +363,10 @@ def test_only_copies_of_c3d_files_can_be_checked(
     assert check_button(window, qtbot).isEnabled()
 
 
-def check_button(window: MainWindow, qtbot: QtBot) -> QPushButton:
+def check_button(window: MainWindow, qtbot: QtBot) -> ActionButton:
     report = workspace_of(window).report
     qtbot.waitUntil(report.isEnabled)
-    return report.findChild(QPushButton)
+    return report.findChild(ActionButton)
 
 
 # --- the proof of the last export ------------------------------------------------------------

@@ -128,6 +128,10 @@ def test_row_of_a_patch_is_in_millimetres_and_knows_what_is_unknown() -> None:
 # --- curves --------------------------------------------------------------------------------------
 
 
+def drawn(values: np.ndarray, across: float = 1.0) -> str:
+    return charts.Line("after", tuple(charts._pieces(0.0, across, values))).path
+
+
 def points_of(path: str) -> list[list[tuple[float, float]]]:
     """Read path data back: one list of points per piece."""
     return [
@@ -145,9 +149,9 @@ def points_of(path: str) -> list[list[tuple[float, float]]]:
     )
 )
 def test_a_path_keeps_extremes_and_invents_nothing(values: np.ndarray) -> None:
-    drawn = points_of(charts._path(0.0, 1.0, values))
+    pieces = points_of(drawn(values))
     known = values[~np.isnan(values)]
-    flat = [point for piece in drawn for point in piece]
+    flat = [point for piece in pieces for point in piece]
     assert bool(flat) == bool(known.size)
     for x, y in flat:
         assert values[int(x)] == y
@@ -159,12 +163,12 @@ def test_a_path_keeps_extremes_and_invents_nothing(values: np.ndarray) -> None:
 
 def test_a_path_breaks_at_gaps_and_shows_lone_samples() -> None:
     values = np.array([1, 2, np.nan, 7, np.nan, np.nan, 4, 4, 4, 4])
-    assert charts._path(0.0, 1.0, values) == ("M0.0 1.0L1.0 2.0M3.0 7.0L3.0 7.0M6.0 4.0L9.0 4.0")
+    assert drawn(values) == ("M0.0 1.0L1.0 2.0M3.0 7.0L3.0 7.0M6.0 4.0L9.0 4.0")
 
 
 def test_a_long_recording_stays_a_short_path() -> None:
     values = np.random.default_rng(0).normal(100, 10, 100_000)
-    assert len(charts._path(0.0, 0.003, values)) < 40_000
+    assert len(drawn(values, 0.003)) < 40_000
 
 
 @given(st.floats(-1e4, 1e4), st.floats(1e-3, 1e4))
@@ -217,7 +221,7 @@ def read(page: str) -> Reader:
 
 
 def test_the_page_is_whole_and_needs_nothing_else() -> None:
-    about = About("walk.c3d", ("cubic",), "none", ("It is odd.",), ("All is well.",))
+    about = About("walk.c3d", ("cubic",), "none", ("It is odd.",), proof=("All is well.",))
     page = render(summarised(), about)
     reader = read(page)
     assert all(address.startswith("#") for address in reader.addresses)
@@ -231,6 +235,14 @@ def test_the_page_is_whole_and_needs_nothing_else() -> None:
         "2 further markers are", "cubic (B, <C>)",
     ):  # fmt: skip
         assert part in text or part in page, part
+
+
+def test_the_table_of_contents_leads_to_every_heading() -> None:
+    page = render(summarised(), About("walk.c3d"))
+    links = re.findall(r'<a href="#([a-z]+)">', page)
+    assert links == re.findall(r'<h2 id="([a-z]+)">', page)
+    assert {"methods", "markers", "repairs", "open", "history", "check"} <= set(links)
+    assert "@media print" in page
 
 
 def test_before_and_after_differ_by_more_than_colour() -> None:
@@ -271,5 +283,5 @@ def test_the_same_input_makes_the_same_bytes(samples: Path, tmp_path: Path) -> N
 def test_a_report_that_cannot_be_written_says_so(tmp_path: Path) -> None:
     path = tmp_path / "no such folder" / "report.html"
     with pytest.raises(MocapmendError):
-        report.write_html(summarised(), About("walk.c3d"), path)
+        report.write_report(summarised(), About("walk.c3d"), path)
     assert list(tmp_path.iterdir()) == []

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend.bench import main
 
-HEAVY = ("scipy", "c3d", "jinja2", "mocapmend.engine", "mocapmend.views.workspace")
+HEAVY = ("scipy", "c3d", "jinja2", "reportlab", "mocapmend.engine", "mocapmend.views.workspace")
 
 
 def test_the_window_starts_without_what_it_needs_later() -> None:

@@ -11,13 +11,14 @@ import numpy as np
 
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.engine import Exported
+from mocapmend.engine import Exported, repaired
 from mocapmend.files import Source
-from mocapmend.report import About, RepairRow
+from mocapmend.report import About, EditRow, Methods, RepairRow, describe, method_text, summarise
+from mocapmend_algorithms import Recording, no_progress
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
-from mocapmend_algorithms.fill.params import write_words
 from mocapmend_algorithms.fill.registry import Method
+from mocapmend_algorithms.skeleton import Skeleton
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,14 +51,37 @@ class Outcome:
     @property
     def about(self) -> About:
         """The head of the report."""
+        provenance = self.source.provenance
         return About(
             file=self.source.path.name,
             methods=(self._method_text(),),
             limits=self._limits_text(),
             warnings=self.source.warnings,
             earlier=len(self.source.repairs),
+            earlier_program=provenance.program if provenance is not None else "",
             proof=self.exported.sentences,
+            edits=self._edits(),
         )
+
+    def _edits(self) -> tuple[EditRow, ...]:
+        gaps = [row.gap for row in self.repairs]
+        if not gaps:
+            return ()
+        text = f"fill {common.count(len(gaps), 'gap')} ({self.method.id})"
+        markers, samples = {gap.marker for gap in gaps}, sum(gap.length for gap in gaps)
+        return (EditRow(text, len(markers), len(gaps), samples),)
+
+    @property
+    def after(self) -> Recording:
+        """The recording with all its repairs."""
+        return repaired(self.source.recording, self.result)
+
+    def methods(self) -> Methods:
+        """Return what a paper says about it."""
+        no_bones = Skeleton("", (), "none")
+        rows, unfilled = self.all_repairs, self.result.unfilled
+        figures = summarise(self.source.measured, self.after, no_bones, rows, unfilled, no_progress)
+        return describe(figures, self.about)
 
     # --- JSON --------------------------------------------------------------------------------
 
@@ -66,6 +90,7 @@ class Outcome:
         recording = self.source.recording
         missing = int(np.count_nonzero(~recording.present))
         filled = sum(row.gap.length for row in self.repairs)
+        methods = self.methods()
         return {
             **common.facts(self.source),
             "output": str(self.exported.saved.path),
@@ -86,6 +111,8 @@ class Outcome:
                 "samples_missing_before": missing,
                 "samples_missing_after": missing - filled,
             },
+            "methods_paragraph": methods.paragraph,
+            "references": list(methods.references),
             **common.written(self.exported),
         }
 
@@ -176,12 +203,7 @@ class Outcome:
         )
 
     def _method_text(self) -> str:
-        chosen = [
-            f"{field.name}={_written(value)}"
-            for field in dataclasses.fields(self.params)
-            if (value := getattr(self.params, field.name)) != field.default
-        ]
-        return self.method.id + (f" ({', '.join(chosen)})" if chosen else "")
+        return method_text(self.method.id, self.params)
 
     def _limits_text(self) -> str:
         rate = self.source.recording.rate
@@ -193,8 +215,3 @@ class Outcome:
         if np.isfinite(self.limits.error_mm):
             parts.append(f"no expected error above {self.limits.error_mm:g} mm")
         return (", ".join(parts) or "none") + (" (default guard)" if self.limits.default else "")
-
-
-def _written(value: object) -> str:
-    """Return a parameter's value as the command line takes it."""
-    return write_words(value) if isinstance(value, tuple) else str(value)

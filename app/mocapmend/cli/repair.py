@@ -20,6 +20,7 @@ from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, check_ending, read_recording
+from mocapmend.report import check_report_ending
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
@@ -64,7 +65,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="fill gaps of these markers alone",
     )
     parser.add_argument(
-        "--report", type=Path, metavar="FILE.html", help="write a report of what was done"
+        "--report",
+        type=Path,
+        metavar="FILE",
+        help="write a report of what was done: .html or .pdf, by its ending",
     )
     parser.add_argument(
         "--recipe", type=Path, metavar="FILE", help="write down the edits, to be replayed"
@@ -79,6 +83,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     method: registry.Method = arguments.method
     params = _params(method, arguments.param)
     out = target.choose(arguments, arguments.report, arguments.recipe)
+    if arguments.report is not None:
+        check_report_ending(arguments.report)
     source = read_recording(arguments.file)
     check_ending(source, out)
     common.show_warnings(source, console)
@@ -104,7 +110,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         console.start("Report")
         _write_report(done, arguments.report, console)
     files = {"report": arguments.report, "recipe": arguments.recipe}
-    console.result(**done.as_json(files, samples=arguments.samples))
+    if console.as_json:
+        console.result(**done.as_json(files, samples=arguments.samples))
     done.show(console, files)
     return 0
 
@@ -197,7 +204,7 @@ def _fill(
 def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:
     engine.write_report(
         done.source.measured,
-        engine.repaired(done.source.recording, done.result),
+        done.after,
         engine.find_skeleton(done.source, console.progress),
         done.all_repairs,
         done.result.unfilled,

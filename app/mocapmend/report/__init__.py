@@ -1,15 +1,24 @@
-"""The report: what the repairs changed, as figures for the window and as one HTML file. No Qt."""
+"""The report: what the repairs changed, as figures for the window and as HTML or PDF. No Qt."""
 
-from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
-from mocapmend.report.page import About, write_html
+from mocapmend.report.methods import Methods, describe, method_text
+from mocapmend.report.model import About, EditRow, MarkerRow, OpenGap, RepairRow, Report
+from mocapmend.report.rows import repair_rows
 from mocapmend.report.summary import summarise
+from mocapmend.report.writing import ENDINGS, check_report_ending, write_report
 
 __all__ = [
+    "ENDINGS",
     "About",
+    "EditRow",
     "MarkerRow",
+    "Methods",
     "OpenGap",
     "RepairRow",
     "Report",
+    "check_report_ending",
+    "describe",
+    "method_text",
+    "repair_rows",
     "summarise",
-    "write_html",
+    "write_report",
 ]

@@ -1,6 +1,6 @@
-"""Curves as SVG paths: small even for long recordings, without losing a peak or a gap."""
+"""Curves to be drawn: small even for long recordings, without losing a peak or a gap."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, floor, log10
 
@@ -12,6 +12,8 @@ from mocapmend_algorithms.gaps import runs
 WIDTH, HEIGHT = 400, 250
 LEFT, RIGHT, TOP, BOTTOM = 58, 12, 12, 42
 PLOT_WIDTH, PLOT_HEIGHT = WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM
+Placed = Callable[[float, float], tuple[float, float]]
+"""Puts a point of a chart in its place on a page."""
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 
 
@@ -23,18 +25,32 @@ class Tick:
     text: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Line:
-    """A curve: its CSS class, what it is called, and its path."""
+    """A curve.
+
+    Attributes
+    ----------
+    style : str
+        "before" or "after".
+    pieces : tuple of ndarray, shape (points, 2)
+        Its unbroken parts in the chart's own units, y downwards; a lone sample is a line of no
+        length, which round ends make a dot.
+    """
 
     style: str
-    name: str
-    path: str
+    pieces: tuple[FloatArray, ...]
+
+    @property
+    def path(self) -> str:
+        """The curve as the data of an SVG path."""
+        texts = (" ".join(f"{x:.1f} {y:.1f}" for x, y in piece.tolist()) for piece in self.pieces)
+        return "".join("M{} {}L{}".format(*text.split(" ", 2)) for text in texts)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Chart:
-    """What the template draws.
+    """What is drawn, within `WIDTH` and `HEIGHT`.
 
     Attributes
     ----------
@@ -88,8 +104,8 @@ def draw(
     low, high = y_ticks[0], y_ticks[-1]
     scale = PLOT_HEIGHT / (high - low)
 
-    def line(style: str, name: str, values: FloatArray) -> Line:
-        return Line(style, name, _path(LEFT, across, TOP + (high - values) * scale))
+    def line(style: str, values: FloatArray) -> Line:
+        return Line(style, tuple(_pieces(LEFT, across, TOP + (high - values) * scale)))
 
     return Chart(
         title,
@@ -99,7 +115,7 @@ def draw(
             for at, text in _labelled([t for t in _nice(0.0, seconds, 6) if t <= seconds * 1.001])
         ),
         tuple(Tick(round(TOP + (high - at) * scale, 1), text) for at, text in _labelled(y_ticks)),
-        (line("after", "after", after), line("before", "before", before)),
+        (line("after", after), line("before", before)),
         _bands(changed, across) if changed is not None else (),
     )
 
@@ -135,18 +151,13 @@ def _labelled(ticks: Sequence[float]) -> list[tuple[float, str]]:
     return [(tick, f"{tick + 0.0:.{decimals}f}") for tick in ticks]
 
 
-def _path(left: float, across: float, heights: FloatArray) -> str:
-    """Write a curve as path data; NaN interrupts it."""
+def _pieces(left: float, across: float, heights: FloatArray) -> Iterator[FloatArray]:
+    """Yield the unbroken parts of a curve, which NaN interrupts."""
     frames, values = _thin(heights)
-    texts = [
-        f"{left + across * x:.1f} {y:.1f}" for x, y in zip(frames, values.round(1), strict=True)
-    ]
-    pieces = []
+    points = np.stack((left + across * frames, values.round(1)), axis=1)
     for start, stop in runs(~np.isnan(values)):
-        # A lone sample is a line of no length, which round ends make a dot.
-        rest = " ".join(texts[start + 1 : stop]) or texts[start]
-        pieces.append(f"M{texts[start]}L{rest}")
-    return "".join(pieces)
+        piece = points[start:stop]
+        yield piece if stop - start > 1 else np.repeat(piece, 2, axis=0)
 
 
 def _thin(values: FloatArray) -> tuple[FloatArray, FloatArray]:

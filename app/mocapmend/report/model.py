@@ -57,6 +57,61 @@ class OpenGap:
 
 
 @dataclass(frozen=True)
+class EditRow:
+    """One undoable step.
+
+    Attributes
+    ----------
+    text : str
+        What was done.
+    markers, runs : int
+        How many markers, and how many runs of samples of them, it wrote.
+    filled, cleared : int
+        Samples that it filled, and samples that it set missing.
+    """
+
+    text: str
+    markers: int
+    runs: int
+    filled: int
+    cleared: int = 0
+
+
+@dataclass(frozen=True)
+class About:
+    """What the report says about its making.
+
+    Attributes
+    ----------
+    file : str
+        Name of the recording, without its folder.
+    methods : tuple of str
+        The methods used, with their parameters.
+    limits : str
+        The limits that held, as a sentence.
+    warnings : tuple of str
+        What was odd about the file.
+    earlier : int
+        How many of the repairs the file had when it was opened.
+    earlier_program : str
+        The program that made those.
+    proof : tuple of str
+        What the checks of the written file found; empty where none was written.
+    edits : tuple of EditRow
+        The steps, in order.
+    """
+
+    file: str
+    methods: tuple[str, ...] = ()
+    limits: str = ""
+    warnings: tuple[str, ...] = ()
+    earlier: int = 0
+    earlier_program: str = ""
+    proof: tuple[str, ...] = ()
+    edits: tuple[EditRow, ...] = ()
+
+
+@dataclass(frozen=True)
 class MarkerRow:
     """What happened to one marker.
 
@@ -72,6 +127,8 @@ class MarkerRow:
         Length of the longest gap in frames, 0 without gaps.
     filled : int
         Samples that were missing and are there now.
+    unfilled : int
+        Samples that are missing still.
     filled_by : tuple of (str, float)
         Method ids, and the share of the frames that each filled, in %.
     worst_error_mm : float
@@ -86,6 +143,7 @@ class MarkerRow:
     longest_before: int
     longest_after: int
     filled: int
+    unfilled: int
     filled_by: tuple[tuple[str, float], ...]
     worst_error_mm: float
 
@@ -104,6 +162,10 @@ class Report:
         Length unit of the bones.
     success_before, success_after : SuccessCurves
         Tracking success over time; both count the markers that are seen at all in either.
+    segments : int
+        How many groups of markers move as one; 0 where none are known.
+    segment_success : tuple of (SuccessCurves, SuccessCurves) or None
+        The same before and after for segments, which are tracked when all their markers are.
     bones : tuple of (int, int)
         Marker pairs.
     bone_names : tuple of str
@@ -126,6 +188,10 @@ class Report:
         The filled gaps.
     open_gaps : tuple of OpenGap
         All gaps that are still there.
+    missing_before : int
+        Samples that were missing.
+    altered : int
+        Samples that were measured and are others now, or none.
     """
 
     rate: float
@@ -134,6 +200,8 @@ class Report:
     unit: str
     success_before: SuccessCurves
     success_after: SuccessCurves
+    segments: int
+    segment_success: tuple[SuccessCurves, SuccessCurves] | None
     bones: tuple[tuple[int, int], ...]
     bone_names: tuple[str, ...]
     spread_before: FloatArray
@@ -147,3 +215,5 @@ class Report:
     labels: tuple[str, ...]
     repairs: tuple[RepairRow, ...]
     open_gaps: tuple[OpenGap, ...]
+    missing_before: int
+    altered: int

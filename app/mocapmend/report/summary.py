@@ -65,14 +65,23 @@ def summarise(
     spread_after[moved] = bone_spread(bone_lengths(after.points, bones[moved]))
     shown = np.argsort(-repaired, kind="stable")[: min(MOST_CURVES, np.count_nonzero(repaired))]
     names = short_names(before.labels)
+    was_there, is_there = tracked(before), tracked(after)
+    segments = _counted_segments(skeleton, counted)
     progress(0.9)
     report = Report(
         rate=before.rate,
         first_frame=before.first_frame,
         frames=before.frames,
         unit=before.unit,
-        success_before=success_curves(tracked(before), counted=counted),
-        success_after=success_curves(tracked(after), counted=counted),
+        success_before=success_curves(was_there, counted=counted),
+        success_after=success_curves(is_there, counted=counted),
+        segments=len(segments),
+        segment_success=(
+            success_curves(was_there, counted=counted, segments=segments),
+            success_curves(is_there, counted=counted, segments=segments),
+        )
+        if segments
+        else None,
         bones=tuple(skeleton.bones),
         bone_names=tuple(f"{names[a]} – {names[b]}" for a, b in skeleton.bones),
         spread_before=spread_before,
@@ -86,6 +95,8 @@ def summarise(
         labels=before.labels,
         repairs=tuple(repairs),
         open_gaps=_open_gaps(after, unfilled),
+        missing_before=int(np.count_nonzero(~was_there)),
+        altered=int(np.count_nonzero(touched & was_there)),
     )
     progress(1.0)
     return report
@@ -105,6 +116,11 @@ def _changed_samples(before: Recording, after: Recording) -> BoolArray:
         if differs.any():
             changed[rows] = differs.any(axis=2)
     return changed
+
+
+def _counted_segments(skeleton: Skeleton, counted: BoolArray) -> list[tuple[int, ...]]:
+    """Return the markers of each segment that is seen at all."""
+    return [part.markers for part in skeleton.segments if counted[list(part.markers)].any()]
 
 
 def _either(mask: BoolArray, bones: IntArray) -> BoolArray:
@@ -139,6 +155,7 @@ def _marker_rows(
             longest_before=longest_before[marker],
             longest_after=longest_after[marker],
             filled=int(filled[marker]),
+            unfilled=int(missing_after[marker]),
             filled_by=tuple((name, 100 * count / frames) for name, count in lengths.items()),
             worst_error_mm=max(errors, default=float("nan")),
         )

@@ -143,14 +143,13 @@ class FileActions(QObject):
         job.finished.connect(lambda done: self._exported(document, index, done, then))
 
     def ask_and_save_report(self) -> None:
-        """Let the user choose where the HTML report goes, and write it there."""
+        """Let the user choose where the report goes, HTML or PDF, and write it there."""
         workspace = self._window.workspace
         if workspace is None:
             return
         stem = workspace.document.source.path.stem
-        path = self.ask_where(
-            self.tr("Save report"), f"{stem}_report.html", {self.tr("HTML (*.html)"): ".html"}
-        )
+        kinds = {self.tr("HTML (*.html)"): ".html", self.tr("PDF (*.pdf)"): ".pdf"}
+        path = self.ask_where(self.tr("Save report"), f"{stem}_report.html", kinds)
         if path is None:
             return
         job = self.write(

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLineEdit,
     QPushButton,
+    QTabBar,
     QWidget,
 )
 
@@ -18,6 +19,7 @@ _CLAIMED: dict[type[QWidget], set[Qt.Key]] = {
     QPushButton: _ENTER | {Qt.Key.Key_Space},
     QAbstractButton: {Qt.Key.Key_Space},
     QComboBox: {Qt.Key.Key_Space},
+    QTabBar: {Qt.Key.Key_Left, Qt.Key.Key_Right},
 }
 """Which keys a kind of widget keeps; the first kind that fits counts."""
 _DONE = _ENTER | {Qt.Key.Key_Escape}

@@ -16,7 +16,6 @@ from mocapmend.jobs import Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order
 from mocapmend.prospects import Prospects
-from mocapmend.report import About
 from mocapmend.settings import LAYOUT, RANKING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.dialogs import left_open_dialog
@@ -29,6 +28,7 @@ from mocapmend.views.previewer import Previewer
 from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
+from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.survey import Survey
@@ -38,10 +38,8 @@ from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Unfilled
 from mocapmend_algorithms.fill.limits import default_frames
-from mocapmend_algorithms.fill.registry import method_label
 
 LAYOUT_VERSION = 3
-NEVER_FILLED = "it is marked as never to be filled"
 TAB_HEIGHT = 36
 
 
@@ -91,7 +89,8 @@ class Workspace(QMainWindow):
         self.queue = QueuePane(document, self.view, self.prospects, self.survey, settings)
         self.gap_actions = GapActions(document, self.view, self.queue, self.push, self)
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
-        self.report = ReportPane(document, self.view, jobs, theme, actions)
+        self.facts = ReportFacts(document)
+        self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
         self.last_export: Path | None = None
@@ -106,6 +105,7 @@ class Workspace(QMainWindow):
         self.filling.done.connect(self._show_done)
         self.survey.advanced.connect(self._lead)
         self._preview()
+        document.left_open_changed.connect(self.report.refresh)
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
         document.undo_stack.cleanChanged.connect(self.recorder.export)
@@ -268,6 +268,7 @@ class Workspace(QMainWindow):
         return self._exported if self.document.undo_stack.isClean() else None
 
     def _show_proof(self) -> None:
+        self.facts.proof = () if self._proof is None else self._proof.sentences
         if self.last_export is None:
             self.report.show_proof(self.tr("Not exported yet."))
         elif self._proof is None:
@@ -280,25 +281,13 @@ class Workspace(QMainWindow):
     def report_inputs(self) -> tuple[Any, ...]:
         """Return what `engine.write_report` needs, as it is now."""
         document = self.document
-        used = sorted({repair.method for repair in document.repairs.values()})
-        proof = self._proof
-        about = About(
-            file=document.source.path.name,
-            methods=tuple(method_label(method) for method in used),
-            warnings=document.source.warnings,
-            earlier=sum(map(document.is_earlier, document.repairs)),
-            proof=() if proof is None else proof.sentences,
-        )
-        left = document.left_open
-        unfilled = [Unfilled(gap, left[gap]) for gap in document.gaps if gap in left]
-        unfilled += [Unfilled(gap, NEVER_FILLED) for gap in document.never]
         return (
             document.original,
             document.snapshot(),
             document.skeleton,
             document.repair_rows(),
-            unfilled,
-            about,
+            self.facts.unfilled(),
+            self.facts.about(),
         )
 
     # --- time --------------------------------------------------------------------------------

@@ -407,7 +407,7 @@ def test_info_loads_neither_qt_nor_slow_modules(samples: Path) -> None:
     code = (
         "import sys; from mocapmend.cli import main;"
         f"assert main(['info', {str(samples / 'walk_cmu_02_01.c3d')!r}]) == 0;"
-        "slow = ('PySide6', 'pyqtgraph', 'jinja2', 'c3d', 'scipy');"
+        "slow = ('PySide6', 'pyqtgraph', 'jinja2', 'reportlab', 'c3d', 'scipy');"
         "sys.exit(' '.join(m for m in sys.modules if m.split('.')[0] in slow))"
     )
     done = subprocess.run(

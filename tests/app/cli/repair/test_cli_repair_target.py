@@ -89,13 +89,15 @@ def test_in_place_replaces_the_recording(
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
 def test_a_pipe_is_not_replaced(run_json: Json, holed: Path, tmp_path: Path) -> None:
-    pipe, out = tmp_path / "pipe", tmp_path / "out.c3d"
+    pipe, page, out = tmp_path / "pipe", tmp_path / "pipe.html", tmp_path / "out.c3d"
     os.mkfifo(pipe)
-    for arguments in (("-o", pipe), ("-o", out, "--report", pipe)):
+    os.mkfifo(page)
+    for arguments in (("-o", pipe), ("-o", out, "--report", page)):
         code, document = run_json("repair", holed, *arguments, "--overwrite")
         assert code == 1
         assert "device" in document["error"]["what"]
     assert pipe.is_fifo()
+    assert page.is_fifo()
 
 
 @pytest.mark.parametrize("words", ["", ",", " , "])

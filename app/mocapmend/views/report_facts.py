@@ -1,0 +1,71 @@
+"""What a report needs to know beside the samples, gathered from the open document."""
+
+import numpy as np
+
+from mocapmend.commands import EditSamples
+from mocapmend.document import Document
+from mocapmend.report import About, EditRow, method_text
+from mocapmend.state import SampleState
+from mocapmend_algorithms.fill.contract import Unfilled
+
+NEVER_FILLED = "it is marked as never to be filled"
+
+
+class ReportFacts:
+    """The facts of a document; the workspace adds what only it knows.
+
+    Attributes
+    ----------
+    proof : tuple of str
+        What the checks of an export that holds the present edits found.
+    """
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self.proof: tuple[str, ...] = ()
+
+    def unfilled(self) -> list[Unfilled]:
+        """Return the reasons of the gaps that are open still."""
+        document = self._document
+        reasons = document.left_open
+        left = [Unfilled(gap, reasons[gap]) for gap in document.gaps if gap in reasons]
+        return left + [Unfilled(gap, NEVER_FILLED) for gap in document.never]
+
+    def about(self) -> About:
+        """Return what the report says about its making."""
+        document = self._document
+        source = document.source
+        # The fills of one step share their parameters: there may be thousands of them.
+        made = {(one.method, id(one.params)): one for one in document.repairs.values()}
+        used = {method_text(one.method, one.params) for one in made.values()}
+        return About(
+            file=source.path.name,
+            methods=tuple(sorted(used)),
+            warnings=source.warnings,
+            earlier=sum(map(document.is_earlier, document.repairs)),
+            earlier_program="" if source.provenance is None else source.provenance.program,
+            proof=self.proof,
+            edits=self.edits(),
+        )
+
+    def edits(self) -> tuple[EditRow, ...]:
+        """Return the steps that hold, those that were undone left out."""
+        stack = self._document.undo_stack
+        return tuple(self._edit(i) for i in range(stack.index()))
+
+    def undone(self) -> tuple[EditRow, ...]:
+        """Return the steps that were undone and can be made again."""
+        stack = self._document.undo_stack
+        return tuple(self._edit(i) for i in range(stack.index(), stack.count()))
+
+    def _edit(self, index: int) -> EditRow:
+        command = self._document.undo_stack.command(index)
+        edits = command.edits if isinstance(command, EditSamples) else ()
+        states = np.concatenate([[], *(edit.states for edit in edits)])
+        return EditRow(
+            text=command.text(),
+            markers=len({edit.gap.marker for edit in edits}),
+            runs=len(edits),
+            filled=int(np.count_nonzero(states == SampleState.FILLED)),
+            cleared=int(np.count_nonzero(states == SampleState.MISSING)),
+        )
