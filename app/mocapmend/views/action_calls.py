@@ -51,6 +51,9 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "show_timeline": lambda w: w.show_pane(w.timeline),
     "show_repairs": lambda w: w.show_pane(w.repairs),
     "show_report": lambda w: w.show_pane(w.report),
+    "next_plots": lambda w: w.plots.step_plots(1),
+    "previous_plots": lambda w: w.plots.step_plots(-1),
+    "next_bone": lambda w: w.plots.step_bone(1),
     "view_front": lambda w: w.scene.look("front"),
     "view_back": lambda w: w.scene.look("back"),
     "view_left": lambda w: w.scene.look("left"),
@@ -65,5 +68,11 @@ SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
     "labels": lambda w, on: w.scene.set_labels(on),
     "trails": lambda w, on: w.scene.set_trails(on),
     "separate": lambda w, on: w.trajectories.set_separate(on),
+    "plot_position": lambda w, on: w.plots.show_plots("plot_position", on),
+    "plot_speed": lambda w, on: w.plots.show_plots("plot_speed", on),
+    "plot_acceleration": lambda w, on: w.plots.show_plots("plot_acceleration", on),
+    "plot_residual": lambda w, on: w.plots.show_plots("plot_residual", on),
+    "plot_bone": lambda w, on: w.plots.show_plots("plot_bone", on),
+    "same_scale": lambda w, on: w.plots.set_same_scale(on),
 }
 """By id of a checkable action."""

@@ -136,6 +136,7 @@ class MainWindow(QMainWindow):
             "Gaps": self.tr("&Gaps"),
             "Play": self.tr("&Play"),
             "View": self.tr("&View"),
+            "Plots": self.tr("P&lots"),
             "Help": self.tr("&Help"),
         }
         menus = {name: self.menuBar().addMenu(titles[name]) for name in MENUS}

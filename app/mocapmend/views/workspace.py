@@ -20,13 +20,13 @@ from mocapmend.theme import Theme
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.player import Player
+from mocapmend.views.plot_pane import PlotPane
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.timeline import Timeline
-from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, default_frames
@@ -70,7 +70,8 @@ class Workspace(QMainWindow):
         self.player = Player(self.view, original.rate, self)
         self.previewer = Previewer(document, self.view, jobs, self)
         self.scene = Scene(document, self.view, theme)
-        self.trajectories = Trajectories(document, self.view, theme)
+        self.plots = PlotPane(document, self.view, settings, theme, actions)
+        self.trajectories = self.plots.trajectories
         self.timeline = Timeline(document, self.view, theme)
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
@@ -346,7 +347,7 @@ class Workspace(QMainWindow):
             return
         middle = QSplitter(Qt.Orientation.Horizontal)
         middle.addWidget(self.scene)
-        middle.addWidget(self.trajectories)
+        middle.addWidget(self.plots)
         middle.setSizes([420, 480])
         middle.setChildrenCollapsible(False)
         self.setCentralWidget(middle)
