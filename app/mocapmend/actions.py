@@ -189,6 +189,13 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "show_report", "View", QT_TRANSLATE_NOOP("Actions", "Go to the report"), ("Ctrl+3",)
     ),
     ActionSpec(
+        "show_analog",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the analog channels"),
+        ("Ctrl+4",),
+        "document",
+    ),
+    ActionSpec(
         "theme",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Light theme"),

@@ -51,6 +51,7 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "show_timeline": lambda w: w.show_pane(w.timeline),
     "show_repairs": lambda w: w.show_pane(w.repairs),
     "show_report": lambda w: w.show_pane(w.report),
+    "show_analog": lambda w: w.show_analog(),
     "next_plots": lambda w: w.plots.step_plots(1),
     "previous_plots": lambda w: w.plots.step_plots(-1),
     "next_bone": lambda w: w.plots.step_bone(1),

@@ -53,6 +53,8 @@ class Envelope:
         while low.shape[1] > SMALLEST_LEVEL:
             low, high = _coarser(low, FACTOR, np.fmin), _coarser(high, FACTOR, np.fmax)
             self._levels.append((low, high))
+        self.empty = bool(np.isnan(low).all())
+        """Whether no value is known."""
 
     def lines(self, start: float, stop: float, width: int) -> tuple[Floats, Floats]:
         """Return the polylines that draw all curves over a range of samples.

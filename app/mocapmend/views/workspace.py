@@ -1,5 +1,6 @@
 """Everything that shows one document: the views around it, and what the user does to it."""
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +12,14 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabW
 from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
+from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order, neighbour
 from mocapmend.report import About
 from mocapmend.settings import LAYOUT, Settings
 from mocapmend.theme import Theme
+from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.player import Player
@@ -77,6 +80,11 @@ class Workspace(QMainWindow):
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
         self.report = ReportPane(document, self.view, jobs, theme, actions)
+        source = document.source
+        self.analog: AnalogPane | None = None
+        if isinstance(source, C3DFile) and source.analog_labels and original.frames:
+            self.analog = AnalogPane(source, self.view, jobs, theme)
+            self.analog.failed.connect(self.failed)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
         self.last_export: Path | None = None
@@ -103,12 +111,16 @@ class Workspace(QMainWindow):
         """Paint with other colours from now on."""
         for part in self._themed:
             part.set_theme(theme)
+        if self.analog is not None:
+            self.analog.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
         self.player.pause()
         self.previewer.stop()
         self.report.stop()
+        if self.analog is not None:
+            self.analog.stop()
         self.recorder.discard()
         if self._filling is not None:
             self._filling.abandon()
@@ -130,6 +142,13 @@ class Workspace(QMainWindow):
                 pane.raise_()
                 # Later: what was behind another pane is enabled when it is seen.
                 QTimer.singleShot(0, content, content.setFocus)
+
+    def show_analog(self) -> None:
+        """Bring the analog channels to the front, where the file has some."""
+        if self.analog is None:
+            self.message.emit(self.tr("This file has no analog channels."))
+        else:
+            self.show_pane(self.analog)
 
     def restore_first_layout(self) -> None:
         """Put all panes back where they were when the program was new."""
@@ -340,10 +359,13 @@ class Workspace(QMainWindow):
     # --- arrangement -------------------------------------------------------------------------
 
     def _arrange(self) -> None:
+        areas = Qt.DockWidgetArea
         self.setDockNestingEnabled(True)
         self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
+            if self.analog is not None:
+                self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             return
         middle = QSplitter(Qt.Orientation.Horizontal)
         middle.addWidget(self.scene)
@@ -351,7 +373,6 @@ class Workspace(QMainWindow):
         middle.setSizes([420, 480])
         middle.setChildrenCollapsible(False)
         self.setCentralWidget(middle)
-        areas = Qt.DockWidgetArea
         corners = Qt.Corner
         self.setCorner(corners.BottomLeftCorner, areas.BottomDockWidgetArea)
         self.setCorner(corners.BottomRightCorner, areas.BottomDockWidgetArea)
@@ -364,16 +385,21 @@ class Workspace(QMainWindow):
             "repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea
         )
         report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        for tabbed in (timeline, repairs, report):
+        tabs = [timeline, repairs, report]
+        if self.analog is not None:
+            tabs.append(
+                self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
+            )
+        for tabbed in tabs:
             # The tab says the name already.
             tabbed.setTitleBarWidget(QWidget())
-        self.tabifyDockWidget(timeline, repairs)
-        self.tabifyDockWidget(repairs, report)
+        for one, other in pairwise(tabs):
+            self.tabifyDockWidget(one, other)
         timeline.raise_()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._panes and not self.arranged:
+        if self.document.repairable and not self.arranged:
             # Sizes of panes mean nothing before the window has its own.
             QTimer.singleShot(0, self, self._size_panes)
 
