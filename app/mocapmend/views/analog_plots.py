@@ -59,6 +59,7 @@ class AnalogPlots(PlotCanvas):
 
     def _paint_plots(self, painter: QPainter, area: QRectF) -> list[Frame]:
         lanes = self.lanes()
+        self._left_out = 0 if self._overlaid else len(self._chosen) - len(lanes)
         return [
             self._paint_lane(painter, channels, rect)
             for channels, rect in zip(lanes, self._rows(area, len(lanes)), strict=True)
@@ -121,7 +122,7 @@ class AnalogPlots(PlotCanvas):
             painter.drawText(QPointF(x, baseline), elided(text, metrics, int(room)))
             x += wide + APART
 
-    def _readout(self, frame: float) -> Readout:
+    def _readout(self, frame: float, row: int) -> Readout:
         last = self._view.frames * self._per_frame - 1
         # Between the places of two samples the nearer one is read.
         sample = max(0, min(last, int(np.round((frame - 0.5) * self._per_frame))))
@@ -130,11 +131,14 @@ class AnalogPlots(PlotCanvas):
             int(at) + self._first_frame, f"{at / self._rate:.4f}"
         )
         rows = tuple(
-            Row(self._source.analog_labels[channel], self._colour(channel), (value,))
-            for channel in self._chosen
-            for value in (self._value(channel, at),)
+            Row(
+                self._source.analog_labels[channel],
+                self._colour(channel),
+                (self._value(channel, at),),
+            )
+            for channel in self.lanes()[row]
         )
-        return Readout(title, ("",), rows)
+        return Readout(title, (self.tr("Value"),), rows)
 
     def _value(self, channel: int, frame: float) -> str:
         envelope = self._envelopes.get(channel)

@@ -148,7 +148,7 @@ def paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
     """Draw the lines of round values with their numbers, and the frame around the plot."""
     rect, metrics = frame.rect, painter.fontMetrics()
     line = metrics.height()
-    marks, decimals = ticks(frame.low, frame.high, max(1, int(rect.height() / (1.8 * line))))
+    marks, decimals = ticks(frame.low, frame.high, max(1, int(rect.height() / (1.5 * line))))
     heights = frame.y(marks).tolist()
     painter.setPen(QColor(theme.raised))
     painter.drawLines([QLineF(rect.left(), y, rect.right(), y) for y in heights])

@@ -54,6 +54,8 @@ class PlotCanvas(QWidget):
         self._frames: list[Frame] = []
         self._mouse: QPointF | None = None
         self._span: tuple[int, int] | None = None
+        self._left_out = 0
+        """Plots that there is no room for."""
         self._fit_texts()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -91,8 +93,8 @@ class PlotCanvas(QWidget):
         """Write above the plots what changes with the playhead."""
         raise NotImplementedError
 
-    def _readout(self, frame: float) -> Readout:
-        """Return the values at a place on the time axis."""
+    def _readout(self, frame: float, row: int) -> Readout:
+        """Return the values at a place on the time axis, for a plot counted from the top."""
         raise NotImplementedError
 
     # --- what the user does ------------------------------------------------------------------
@@ -177,6 +179,9 @@ class PlotCanvas(QWidget):
         self._frames = self._paint_plots(painter, self._area())
         if self._frames:
             self._paint_time_axis(painter)
+            if self._left_out:
+                place = QPointF(4, self._bottom + 2 + painter.fontMetrics().ascent())
+                painter.drawText(place, self.tr("+{0} more").format(self._left_out))
         else:
             paint_message(painter, QRectF(self.rect()), self._hint(), self._theme)
         painter.end()
@@ -228,5 +233,7 @@ class PlotCanvas(QWidget):
         painter.setPen(QPen(QColor(self._theme.dim), 1, Qt.PenStyle.DotLine))
         painter.drawLine(QLineF(self._mouse.x(), area.top(), self._mouse.x(), area.bottom()))
         painter.setFont(self.font())
-        readout = self._readout(self._axis.frame_at(self._mouse.x()))
+        # Between two plots the upper one is meant.
+        row = sum(frame.rect.top() <= self._mouse.y() for frame in self._frames) - 1
+        readout = self._readout(self._axis.frame_at(self._mouse.x()), row)
         paint_readout(painter, readout, self._mouse, QRectF(self.rect()), self._theme)

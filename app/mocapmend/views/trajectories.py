@@ -16,6 +16,7 @@ from mocapmend.views.readout import Readout, Row
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
+POSITION = (Quantity.X, Quantity.Y, Quantity.Z)
 DECIMALS = {"m": 4, "cm": 2}
 """Of a coordinate, by unit; 1 of others."""
 MORE_DECIMALS = {Quantity.SPEED: -1, Quantity.ACCELERATION: -1, Quantity.RESIDUAL: 1}
@@ -33,7 +34,8 @@ class Trajectories(PlotCanvas):
         super().__init__(view, original.rate, original.first_frame, theme, parent)
         self._document = document
         self._painter = LanePainter(document, theme)
-        self._quantities: tuple[Quantity, ...] = (Quantity.X, Quantity.Y, Quantity.Z)
+        self._quantities: tuple[Quantity, ...] = POSITION
+        self._shown: list[Lane] = []
         self._bone: tuple[int, int] | None = None
         self._separate = False
         self._same_scale = False
@@ -122,7 +124,11 @@ class Trajectories(PlotCanvas):
         return self.tr("Nothing is chosen to be plotted: press V")
 
     def _paint_plots(self, painter: QPainter, area: QRectF) -> list[Frame]:
-        lanes = self.lanes()
+        self._shown = lanes = self.lanes()
+        of_markers = [lane for lane in lanes if lane.quantity is not Quantity.BONE]
+        seen = {curve.marker for lane in of_markers for curve in lane.curves}
+        per_marker = len(of_markers) // max(1, len(seen))
+        self._left_out = (len(self._view.selection) - len(seen)) * per_marker
         rows = list(zip(lanes, self._rows(area, len(lanes)), strict=True))
         frames = self._painter.paint(
             painter, rows, self._view.visible, self._view.preview, same_scale=self._same_scale
@@ -145,13 +151,14 @@ class Trajectories(PlotCanvas):
             painter.drawText(QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent()), name)
 
     def _paint_header(self, painter: QPainter) -> None:
-        """Write the names and values of the selected markers, the current first."""
+        """Write the names and places of the selected markers, the current first."""
         painter.setFont(self.font())
         metrics = painter.fontMetrics()
+        self._paint_derived(painter)
         margins, curves = self._margins, self._curves()
         x, baseline = float(margins.left), 2.0 + metrics.ascent()
         for done, curve in enumerate(reversed(curves)):
-            name, value = self._document.names[curve.marker], f"  {self._values_now(curve)}"
+            name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
             more = f"+{len(curves) - done}"
             room = self.width() - margins.right - x - metrics.horizontalAdvance(value)
             if done and room < metrics.horizontalAdvance(name + more) + APART:
@@ -163,20 +170,24 @@ class Trajectories(PlotCanvas):
             painter.drawText(QPointF(x, baseline), text)
             x += metrics.horizontalAdvance(text) + APART
 
-    def _values_now(self, curve: Curve) -> str:
-        """Write what a marker has at the playhead."""
-        frame, unit = self._view.frame, self._document.original.unit
+    def _place_now(self, curve: Curve) -> str:
+        """Write where a marker is at the playhead."""
+        frame = self._view.frame
         if np.isnan(self._document.points[frame, curve.marker, 0]):
             return self.tr("missing")
-        units = {Quantity.SPEED: f" {unit}/s", Quantity.ACCELERATION: f" {unit}/s²"}
-        texts = []
-        for quantity in self._quantities:
-            if quantity is not Quantity.BONE:
-                # The unit once behind x, y and z.
-                behind = "" if quantity in (Quantity.X, Quantity.Y) else f" {unit}"
-                value = self._value(quantity, curve, frame)
-                texts.append(value + units.get(quantity, behind))
-        return "  ".join(texts)
+        place = "  ".join(self._value(axis, curve, frame) for axis in POSITION)
+        return f"{place} {self._document.original.unit}"
+
+    def _paint_derived(self, painter: QPainter) -> None:
+        """Write into each other plot the value that its current curve has at the playhead."""
+        metrics = painter.fontMetrics()
+        for lane, frame in zip(self._shown, self._frames, strict=True):
+            if lane.quantity.kind == "position" or not lane.curves:
+                continue
+            text = self._value(lane.quantity, lane.curves[-1], self._view.frame)
+            right = frame.rect.right() - 5 - metrics.horizontalAdvance(text)
+            painter.setPen(QColor(lane.curves[-1].colour))
+            painter.drawText(QPointF(right, frame.rect.top() + 2 + metrics.ascent()), text)
 
     def _value(self, quantity: Quantity, curve: Curve, frame: int) -> str:
         value = self._painter.series.rows(quantity, curve)[frame]
@@ -185,25 +196,21 @@ class Trajectories(PlotCanvas):
         decimals = DECIMALS.get(self._document.original.unit, 1) + MORE_DECIMALS.get(quantity, 0)
         return f"{value:.{decimals}f}"
 
-    def _readout(self, frame: float) -> Readout:
+    def _readout(self, frame: float, row: int) -> Readout:
         at = max(0, min(self._view.frames - 1, int(np.floor(frame))))
-        curves = list(reversed(self._curves()))
-        bones = self._bone_curves() if Quantity.BONE in self._quantities else ()
+        kind = self._shown[row].quantity.kind
+        columns = [quantity for quantity in self._quantities if quantity.kind == kind]
+        curves = self._bone_curves() if kind == "bone" else tuple(reversed(self._curves()))
         rows = [
             Row(
                 " – ".join(self._document.names[marker] for marker in curve.markers),
                 curve.colour,
-                tuple(
-                    self._value(quantity, curve, at)
-                    if (curve.other is None) != (quantity is Quantity.BONE)
-                    else ""
-                    for quantity in self._quantities
-                ),
+                tuple(self._value(quantity, curve, at) for quantity in columns),
             )
-            for curve in (*curves, *bones)
+            for curve in curves
         ]
         title = self.tr("Frame {0} · {1} s").format(
             at + self._first_frame, f"{at / self._rate:.3f}"
         )
-        columns = tuple(self._short.get(quantity, quantity.name) for quantity in self._quantities)
-        return Readout(title, columns, tuple(rows))
+        names = tuple(self._short.get(quantity, quantity.name) for quantity in columns)
+        return Readout(title, names, tuple(rows))
