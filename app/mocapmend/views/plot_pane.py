@@ -55,6 +55,7 @@ class PlotPane(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(self._bar)
+        layout.addWidget(self._bones)
         layout.addWidget(self.trajectories, 1)
         view.selection_changed.connect(self._offer_bones)
         self._offer_bones()
@@ -108,17 +109,15 @@ class PlotPane(QWidget):
         bar = QToolBar()
         bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         short = {
-            "plot_position": self.tr("Position"),
+            "plot_position": self.tr("XYZ"),
             "plot_speed": self.tr("Speed"),
             "plot_acceleration": self.tr("Accel."),
             "plot_residual": self.tr("Residual"),
             "plot_bone": self.tr("Bone"),
-            "same_scale": self.tr("Same scale"),
+            "same_scale": self.tr("1:1"),
         }
         for name in CHOICES:
             bar.addAction(self._actions[name])
-        self._bones_shown = bar.addWidget(self._bones)
-        bar.addSeparator()
         bar.addAction(self._actions["same_scale"])
         for name, text in short.items():
             self._actions[name].setIconText(text)
@@ -128,7 +127,7 @@ class PlotPane(QWidget):
 
     def _show_choice(self) -> None:
         quantities = [q for name, some in CHOICES.items() if name in self._chosen for q in some]
-        self._bones_shown.setVisible("plot_bone" in self._chosen)
+        self._bones.setVisible("plot_bone" in self._chosen)
         self.trajectories.set_quantities(tuple(quantities))
 
     def _offer_bones(self) -> None:

@@ -1,5 +1,6 @@
 """What a plot can show of a marker, and the numbers of it. No Qt."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Literal
@@ -53,7 +54,7 @@ class Curve:
         return (self.marker,) if self.other is None else (self.marker, self.other)
 
 
-def motion(points: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+def motion(points: Floats, rate: float) -> NDArray[np.float64]:
     """Return speed and acceleration by central differences.
 
     Parameters
@@ -139,21 +140,26 @@ class Series:
             return np.empty(0), np.empty(0)
         # Differences reach one frame further than the neighbours that the line is drawn to.
         start, stop = max(0, gap.start - 2), min(self._document.original.frames, gap.stop + 2)
-        ends = [self._document.points[start:stop, marker] for marker in curve.markers]
+        ends: list[Floats] = [self._document.points[start:stop, marker] for marker in curve.markers]
         which = curve.markers.index(gap.marker)
         ends[which] = ends[which].copy()
         ends[which][gap.start - start : gap.stop - start] = patch.values
         frames = np.arange(start, stop)
         near = (frames >= gap.start - 1) & (frames <= gap.stop)
-        return frames[near].astype(float), self._compute(quantity.kind, ends)[quantity.row, near]
+        values = self._compute(quantity.kind, ends)[quantity.row, near]
+        return frames[near].astype(float), values
 
     def _envelope(self, key: tuple[Kind, tuple[int, ...]]) -> Envelope:
         if key not in self._envelopes:
             kind, markers = key
             if kind == "residual":
                 rows: Floats = self._residuals_of(markers[0])
+            elif kind == "position":
+                rows = np.ascontiguousarray(self._document.points[:, markers[0]].T)
             else:
-                rows = self._compute(kind, [self._document.points[:, m] for m in markers])
+                # From rows that are there already: of all points one marker is slow to gather.
+                ends = [self._envelope(("position", (marker,))).rows.T for marker in markers]
+                rows = self._compute(kind, ends)
             self._envelopes[key] = Envelope(rows)
         return self._envelopes[key]
 
@@ -162,10 +168,11 @@ class Series:
             return np.full((1, self._document.original.frames), np.nan)
         return np.ascontiguousarray(self._residuals[None, :, marker])
 
-    def _compute(self, kind: Kind, ends: list[NDArray[np.float64]]) -> NDArray[np.float64]:
+    def _compute(self, kind: Kind, ends: Sequence[Floats]) -> Floats:
+        """Return the curves of a kind from the trajectories of its markers."""
         if kind == "position":
-            return np.ascontiguousarray(ends[0].T)
+            return ends[0].T
         if kind == "motion":
-            return motion(np.ascontiguousarray(ends[0]), self._document.original.rate)
+            return motion(ends[0], self._document.original.rate)
         along = ends[0] - ends[1]
         return np.asarray(np.sqrt(np.einsum("tk,tk->t", along, along))[None])
