@@ -9,8 +9,8 @@ from PySide6.QtGui import QAction, QKeySequence
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
-Menu = Literal["File", "Edit", "Gaps", "Play", "View", "Plots", "Help"]
-MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Play", "View", "Plots", "Help")
+Menu = Literal["File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help"]
+MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help")
 
 
 @dataclass(frozen=True)
@@ -34,6 +34,8 @@ class ActionSpec:
         Whether it switches something on and off.
     starts_group : bool
         Whether the menu draws a line above it.
+    number : int
+        Stands for {0} in the text.
     """
 
     id: str
@@ -43,6 +45,7 @@ class ActionSpec:
     needs: Literal["nothing", "document", "c3d", "markers"] = "markers"
     checkable: bool = False
     starts_group: bool = False
+    number: int = 0
 
 
 _Key = QKeySequence.StandardKey
@@ -101,38 +104,93 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("Shift+P",),
     ),
     ActionSpec(
-        "next_method",
+        "leave_open",
         "Gaps",
-        QT_TRANSLATE_NOOP("Actions", "Next method"),
-        ("M",),
+        QT_TRANSLATE_NOOP("Actions", "Leave this gap open"),
+        ("X",),
         starts_group=True,
     ),
     ActionSpec(
-        "previous_method", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous method"), ("Shift+M",)
+        "never_fill", "Gaps", QT_TRANSLATE_NOOP("Actions", "Never fill this gap"), ("Shift+X",)
+    ),
+    ActionSpec(
+        "widen",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Cut a frame off both edges of the gap"),
+        ("W",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "narrow",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Give a frame back at both edges"),
+        ("Shift+W",),
     ),
     ActionSpec(
         "apply",
-        "Gaps",
+        "Repair",
         QT_TRANSLATE_NOOP("Actions", "Apply the previewed repair"),
         ("Return", "Enter"),
     ),
     ActionSpec(
         "apply_next",
-        "Gaps",
+        "Repair",
         QT_TRANSLATE_NOOP("Actions", "Apply and go to the next gap"),
         ("Shift+Return", "Shift+Enter"),
     ),
     ActionSpec(
-        "fill_all",
-        "Gaps",
-        QT_TRANSLATE_NOOP("Actions", "Fill all gaps up to the limit"),
-        ("Ctrl+Return",),
-    ),
-    ActionSpec(
         "clear_fill",
-        "Gaps",
+        "Repair",
         QT_TRANSLATE_NOOP("Actions", "Turn this repair back into a gap"),
         ("Del",),
+    ),
+    *(
+        ActionSpec(
+            f"candidate_{number}",
+            "Repair",
+            QT_TRANSLATE_NOOP("Actions", "Choose repair {0}"),
+            (str(number),),
+            starts_group=number == 1,
+            number=number,
+        )
+        for number in range(1, 9)
+    ),
+    ActionSpec(
+        "next_method",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Next method"),
+        ("M",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "previous_method", "Repair", QT_TRANSLATE_NOOP("Actions", "Previous method"), ("Shift+M",)
+    ),
+    ActionSpec(
+        "compare",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Compare repairs side by side"),
+        ("Q",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "pick_donors",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Pick donors by clicking markers"),
+        ("D",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "plan",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Plan for all gaps"),
+        ("Ctrl+Shift+Return",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "fill_all",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Fill all gaps up to the limit"),
+        ("Ctrl+Return",),
     ),
     ActionSpec("play", "Play", QT_TRANSLATE_NOOP("Actions", "Play / pause"), ("Space",)),
     ActionSpec("next_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Next frame"), ("Right",)),
@@ -188,11 +246,12 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "show_report", "View", QT_TRANSLATE_NOOP("Actions", "Go to the report"), ("Ctrl+3",)
     ),
+    ActionSpec("show_queue", "View", QT_TRANSLATE_NOOP("Actions", "Go to the queue"), ("Ctrl+4",)),
     ActionSpec(
         "show_analog",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Go to the analog channels"),
-        ("Ctrl+4",),
+        ("Ctrl+5",),
         "document",
     ),
     ActionSpec(
@@ -256,7 +315,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
 
 def text_of(spec: ActionSpec) -> str:
     """Return what the user reads, in the user's language."""
-    return QCoreApplication.translate("Actions", spec.text)
+    return QCoreApplication.translate("Actions", spec.text).format(spec.number)
 
 
 def make_actions(parent: QObject) -> Mapping[str, QAction]:

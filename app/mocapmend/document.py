@@ -1,6 +1,6 @@
 """The open recording: the only owner and the only writer of its samples."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from mocapmend.files import RepairRecord, SampleRun, Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow
 from mocapmend.shared_recording import SharedRecording
-from mocapmend.state import SampleState
+from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.gaps import runs as find_runs
@@ -81,9 +81,9 @@ class Edit:
         ]
 
     @classmethod
-    def clear(cls, gap: Gap) -> "Edit":
-        """Make the edit that marks a run as missing."""
-        states = np.full(gap.length, SampleState.MISSING, np.uint8)
+    def clear(cls, gap: Gap, state: SampleState = SampleState.MISSING) -> "Edit":
+        """Make the edit that marks a run as missing, or as never to be filled."""
+        states = np.full(gap.length, state, np.uint8)
         return cls(gap, np.full((gap.length, 3), np.nan), states)
 
 
@@ -97,6 +97,7 @@ class Document(QObject):
     """
 
     samples_changed = Signal(tuple)
+    left_open_changed = Signal()
 
     def __init__(self, source: Source, skeleton: Skeleton, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -107,6 +108,8 @@ class Document(QObject):
         self.original = source.measured
         self._earlier = dict(_earlier_repairs(source))
         self.repairs = dict(self._earlier)
+        self.left_open: dict[Gap, str] = {}
+        """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
         self.names = short_names(source.recording.labels)
         self._points = source.recording.points.copy()
         self._state = np.full(source.recording.present.shape, SampleState.MEASURED, np.uint8)
@@ -146,12 +149,22 @@ class Document(QObject):
         """Return the open gaps of one marker, by start."""
         return self._gaps[marker]
 
+    def never_of(self, marker: int) -> list[Gap]:
+        """Return the gaps of one marker that shall never be filled, by start."""
+        return self._as_gaps(marker, SampleState.NEVER)
+
+    @property
+    def never(self) -> list[Gap]:
+        """The gaps that shall never be filled, by marker and start."""
+        markers = range(self.original.markers)
+        return [gap for marker in markers for gap in self.never_of(marker)]
+
     def gap_near(self, marker: int, frame: float, reach: float = 0.0) -> Gap | None:
-        """Return the gap of a marker, open or repaired, at a frame or nearest within a reach."""
+        """Return the gap of a marker, open or not, at a frame or nearest within a reach."""
         repaired = (gap for gap in self.repairs if gap.marker == marker)
         near = (
             gap
-            for gap in (*self._gaps[marker], *repaired)
+            for gap in (*self._gaps[marker], *repaired, *self.never_of(marker))
             if gap.start - reach <= frame < gap.stop + reach
         )
         return min(near, key=lambda gap: abs((gap.start + gap.stop) / 2.0 - frame), default=None)
@@ -160,6 +173,16 @@ class Document(QObject):
         """Say whether a gap's repair is the one that the file had when it was opened."""
         repair = self._earlier.get(gap)
         return repair is not None and self.repairs.get(gap) is repair
+
+    def leave_open(self, reasons: Mapping[Gap, str]) -> None:
+        """Note that gaps stay open, and why."""
+        self.left_open |= reasons
+        self.left_open_changed.emit()
+
+    def take_up(self, gap: Gap) -> None:
+        """Count a gap as open again that was left so."""
+        if self.left_open.pop(gap, None) is not None:
+            self.left_open_changed.emit()
 
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
         """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
@@ -216,14 +239,20 @@ class Document(QObject):
         self.samples_changed.emit(tuple(changed))
 
     def changes(self) -> Changes:
-        """Return what differs from the file, for saving."""
+        """Return what differs from the file, for saving.
+
+        Measured samples that an open gap covers are not among it: the file keeps them.
+        """
         stored = self.source.recording.points
         touched = sorted({gap.marker for gap in (*self.repairs, *self.source.repaired)})
-        runs = [
-            SampleRun(marker, start, self._points[start:stop, marker].copy())
-            for marker in touched
-            for start, stop in find_runs(_differs(self._points[:, marker], stored[:, marker]))
-        ]
+        runs = []
+        for marker in touched:
+            covered = np.isin(self._state[:, marker], ABSENT) & self.original.present[:, marker]
+            changed = _differs(self._points[:, marker], stored[:, marker]) & ~covered
+            runs += [
+                SampleRun(marker, start, self._points[start:stop, marker].copy())
+                for start, stop in find_runs(changed)
+            ]
         return Changes(tuple(runs), self.records())
 
     def records(self) -> tuple[RepairRecord, ...]:
@@ -251,8 +280,10 @@ class Document(QObject):
         return {state: spans[kinds == state] for state in SampleState}
 
     def _find_gaps(self, marker: int) -> list[Gap]:
-        missing = self._runs[marker][SampleState.MISSING].tolist()
-        return [Gap(marker, start, stop) for start, stop in missing]
+        return self._as_gaps(marker, SampleState.MISSING)
+
+    def _as_gaps(self, marker: int, state: SampleState) -> list[Gap]:
+        return [Gap(marker, start, stop) for start, stop in self._runs[marker][state].tolist()]
 
 
 def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:

@@ -27,6 +27,7 @@ from mocapmend.files import (
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.skeleton import (
     Skeleton,
@@ -107,13 +108,16 @@ def fill_anyway(
 ) -> FillResult:
     """Fill gaps whatever their length and expected error.
 
+    A gap may cover measured samples, which then are hidden from its own fill; see `fill_hiding`.
+
     Raises
     ------
     MocapmendError
         If a training set that the parameters name cannot be used.
     """
     with training.usable(params) as found:
-        return registry.method(method_id).function(recording, gaps, found, progress)
+        function = registry.method(method_id).function
+        return fill_hiding(recording, gaps, function, found, progress)
 
 
 def fill_gap(

@@ -12,6 +12,13 @@ def in_time_order(gaps: Iterable[Gap], frames: int) -> list[Gap]:
     return sorted(seen, key=lambda gap: (gap.start, gap.marker))
 
 
+def place(current: Gap | None, frame: int) -> tuple[int, int]:
+    """Return start and marker that a step begins at: of the gap that the playhead is in, if any."""
+    if current is not None and current.start <= frame < current.stop:
+        return current.start, current.marker
+    return frame, -1
+
+
 def neighbour(ordered: list[Gap], start: int, marker: int, step: int) -> Gap | None:
     """Return the next (step 1) or previous (step -1) gap from a place, around the end if need be.
 
@@ -20,7 +27,7 @@ def neighbour(ordered: list[Gap], start: int, marker: int, step: int) -> Gap | N
     ordered : list of Gap
         As `in_time_order` returns them.
     start, marker : int
-        The place: start and marker of the present gap, or the playhead's frame and marker -1.
+        The place, as `place` returns it.
     step : int
         1 or -1.
 

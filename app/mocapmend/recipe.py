@@ -29,7 +29,7 @@ from mocapmend.files.provenance import (
     records,
 )
 from mocapmend.files.sidecar import hash_file
-from mocapmend_algorithms import Gap, Progress, Recording, find_gaps, no_progress
+from mocapmend_algorithms import Gap, Progress, Recording, no_progress
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -153,7 +153,7 @@ def plan(source: Source, recipe: Recipe) -> Plan:
         If an edit does not fit the file, its method is not known, or its training set is not
         there.
     """
-    gaps = set(find_gaps(source.measured.present))
+    gaps = _Fillable(source.measured)
     reopened = tuple(_gap_of(source, item, source.repaired) for item in recipe.reopened)
     filled = [_gap_of(source, item, gaps) for item in recipe.fills]
     if len({*reopened, *filled}) < len(reopened) + len(filled):
@@ -278,6 +278,20 @@ def _decode(raw: bytes) -> Recipe:
         return records([edit for edit in edits if edit["do"] == kind])
 
     return Recipe(made_for, chosen("fill"), chosen("reopen"), program_name(data.get("program")))
+
+
+class _Fillable(Container[Gap]):
+    """The gaps of a recording, and those whose ends cover measured samples too."""
+
+    def __init__(self, recording: Recording) -> None:
+        self._present = recording.present
+
+    def __contains__(self, gap: object) -> bool:
+        assert isinstance(gap, Gap)
+        there = self._present[:, gap.marker]
+        edges = [row for row in (gap.start - 1, gap.stop) if 0 <= row < len(there)]
+        inside = 0 <= gap.start < gap.stop <= len(there)
+        return inside and not there[gap.start : gap.stop].all() and bool(there[edges].all())
 
 
 def _gap_of(source: Source, item: RepairRecord, gaps: Container[Gap]) -> Gap:

@@ -33,6 +33,8 @@ LIMIT_ERROR = Setting(key="repair/limit_error", default=True)
 MAX_ERROR_MM = Setting("repair/max_error_mm", 20.0)
 PLOTS = Setting("plots/shown", ["plot_position"])
 SAME_SCALE = Setting(key="plots/same_scale", default=False)
+RANKING = Setting(key="queue/ranking", default=True)
+COMPARE = Setting(key="repair/compare", default=True)
 
 RECENT_LIMIT = 10
 

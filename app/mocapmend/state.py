@@ -10,3 +10,9 @@ class SampleState(IntEnum):
     MISSING = 1
     BAD = 2
     FILLED = 3
+    NEVER = 4
+    """Missing, and to be left so: no repair touches it."""
+
+
+ABSENT = (SampleState.MISSING, SampleState.NEVER)
+"""States without coordinates."""

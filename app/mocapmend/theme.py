@@ -64,6 +64,7 @@ DARK = Theme(
         (SampleState.MISSING, "#e69f00"),
         (SampleState.BAD, "#d55e00"),
         (SampleState.FILLED, "#56b4e9"),
+        (SampleState.NEVER, "#8a6a2b"),
     ),
     curves=("#2fc79a", "#cc79a7", "#a9b7ff", "#e4e7eb", "#ff9d7a", "#9ad14b"),
 )
@@ -89,6 +90,7 @@ LIGHT = Theme(
         (SampleState.MISSING, "#e69f00"),
         (SampleState.BAD, "#d55e00"),
         (SampleState.FILLED, "#0072b2"),
+        (SampleState.NEVER, "#b49a63"),
     ),
     curves=("#00805c", "#a3457a", "#4553c4", "#424a56", "#b4532a", "#5c7a00"),
 )

@@ -1,49 +1,22 @@
 """What the user looks at: frame, selection, gap and preview. All views read it, none owns it."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
-
 from PySide6.QtCore import QObject, Signal
 
+from mocapmend.prospects import Preview
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.contract import Patch
 
-
-@dataclass(frozen=True, eq=False)
-class Preview:
-    """A repair that is shown but not applied.
-
-    Attributes
-    ----------
-    gap : Gap
-        The gap that it is for.
-    method : str
-        Method id.
-    params : object
-        The method's parameter dataclass.
-    patch : Patch or None
-        The repair; None when the method leaves the gap open.
-    reason : str
-        Why the gap stays open; empty when it is filled.
-    note : dict
-        What the method says of itself, such as its number of self-tests.
-    donors : tuple of str
-        Labels of the markers that the repair was computed from.
-    """
-
-    gap: Gap
-    method: str
-    params: Any
-    patch: Patch | None
-    reason: str = ""
-    note: Mapping[str, Any] = field(default_factory=dict)
-    donors: tuple[str, ...] = ()
+__all__ = ["Preview", "ViewState"]
 
 
 class ViewState(QObject):
-    """The shared cursor of all views of a document."""
+    """The shared cursor of all views of a document.
 
+    While `picking`, a click on a marker does not select it but is told by `picked`.
+    """
+
+    candidates_changed = Signal(tuple)
+    picking_changed = Signal(bool)
+    picked = Signal(int)
     frame_changed = Signal(int)
     selection_changed = Signal(tuple)
     gap_changed = Signal(object)
@@ -57,6 +30,8 @@ class ViewState(QObject):
         self.selection: tuple[int, ...] = ()
         self.gap: Gap | None = None
         self.preview: Preview | None = None
+        self.candidates: tuple[tuple[int, Preview], ...] = ()
+        self.picking = False
         self.visible = (0.0, float(max(1, frames)))
 
     @property
@@ -90,6 +65,7 @@ class ViewState(QObject):
         if gap != self.gap:
             self.gap = gap
             self.set_preview(None)
+            self.set_candidates(())
             self.gap_changed.emit(gap)
 
     def go_to(self, gap: Gap) -> None:
@@ -118,6 +94,39 @@ class ViewState(QObject):
         if preview is not self.preview:
             self.preview = preview
             self.preview_changed.emit(preview)
+
+    def set_candidates(self, candidates: tuple[tuple[int, Preview], ...]) -> None:
+        """Show repairs of the current gap side by side, each with its number."""
+        if candidates != self.candidates:
+            self.candidates = candidates
+            self.candidates_changed.emit(candidates)
+
+    def set_picking(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        """Let clicks on markers choose donors, or select again."""
+        if on != self.picking:
+            self.picking = on
+            self.picking_changed.emit(on)
+
+    def click(self, marker: int | None, *, add: bool = False) -> None:
+        """Do what a click on a marker, or beside all of them, means just now.
+
+        Parameters
+        ----------
+        marker : int or None
+            What was hit.
+        add : bool
+            Whether the click adds to the selection, or takes out of it.
+        """
+        if self.picking:
+            if marker is not None:
+                self.picked.emit(marker)
+        elif marker is None:
+            if not add:
+                self.select(())
+        elif add:
+            self.toggle(marker)
+        else:
+            self.select((marker,))
 
     def set_visible(self, start: float, stop: float) -> None:
         """Choose the frames that the plots and the timeline show; kept inside the recording."""

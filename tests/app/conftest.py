@@ -3,7 +3,10 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
+from c3d_synthetic import Synthetic, encode
+from holes import HOLES
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
@@ -11,8 +14,9 @@ from repaired_files import write_repaired
 
 from mocapmend.document import Document
 from mocapmend.engine import load
+from mocapmend.files import read_c3d
 from mocapmend.jobs import Jobs
-from mocapmend.settings import Settings
+from mocapmend.settings import RANKING, Settings
 from mocapmend.views.main_window import MainWindow
 from mocapmend_algorithms import no_progress
 
@@ -32,8 +36,10 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
-    """Return settings that no other test and no user sees."""
-    return Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    """Return settings that no other test and no user sees; without ranking, gaps are by time."""
+    made = Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    made.set(RANKING, False)
+    return made
 
 
 @pytest.fixture
@@ -68,6 +74,19 @@ def repaired_sprint(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> 
     """Return the sprint recording with its 780 gaps repaired; the repair record is beside it."""
     out = tmp_path_factory.mktemp("repaired") / "sprint_repaired.c3d"
     return write_repaired(samples / "sprint_basketball.c3d", out)
+
+
+@pytest.fixture(scope="session")
+def holed_walk(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Write the bundled walk, 343 frames of 41 markers, with the gaps of `HOLES`."""
+    recording = read_c3d(samples / "walk_cmu_02_01.c3d").recording
+    points, fourth = recording.points.copy(), np.zeros(recording.present.shape)
+    for gap in HOLES.values():
+        points[gap.start : gap.stop, gap.marker] = 0
+        fourth[gap.start : gap.stop, gap.marker] = -1
+    path = tmp_path_factory.mktemp("walk") / "holed_walk.c3d"
+    path.write_bytes(encode(Synthetic(points, fourth=fourth, labels=list(recording.labels))))
+    return path
 
 
 @pytest.fixture

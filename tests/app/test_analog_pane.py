@@ -173,7 +173,9 @@ def test_the_window_has_the_pane_where_the_file_has_channels(
     assert pane is not None
     assert isinstance(pane._source, C3DFile)
     dock = window.workspace.findChild(QDockWidget, "analog")
-    assert dock in window.workspace.tabifiedDockWidgets(window.workspace.panes()[2])
+    timeline = window.workspace.findChild(QDockWidget, "timeline")
+    assert timeline is not None
+    assert dock in window.workspace.tabifiedDockWidgets(timeline)
     window.actions_by_id["show_analog"].trigger()
     qtbot.waitUntil(lambda: bool(pane._read))
     bare = tmp_path / "bare.c3d"

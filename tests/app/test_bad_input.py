@@ -130,7 +130,7 @@ def test_a_failed_export_says_why_and_loses_nothing(
     workspace = window.workspace
     assert workspace is not None
     qtbot.waitUntil(lambda: workspace.view.preview is not None, timeout=20_000)
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     window.files.export(tmp_path / "no such folder" / "out.c3d")
     box = shown_error(window, qtbot)
     assert box.informativeText()

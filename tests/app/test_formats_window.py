@@ -137,7 +137,7 @@ def test_the_kind_chosen_in_the_dialog_is_written(
     assert sidecar_path(out).exists() == (end != ".c3d")
     gap = filled[0]
     workspace_of(window).view.go_to(gap)
-    workspace_of(window).clear_fill()
+    workspace_of(window).gap_actions.reopen()
     assert gap in document.gaps
 
 

@@ -59,6 +59,7 @@ def test_enter_in_the_frame_box_goes_there_and_applies_nothing(
 
 
 def test_enter_in_the_filter_applies_nothing(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace_of(opened).show_pane(workspace_of(opened).markers)
     type_into(qtbot, workspace_of(opened).markers.filter, "arm", Qt.Key.Key_Return)
     assert edits(opened) == 0
 
@@ -66,6 +67,7 @@ def test_enter_in_the_filter_applies_nothing(opened: MainWindow, qtbot: QtBot) -
 def test_filtering_keeps_the_selection(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
     selected = workspace.view.selection
+    workspace.show_pane(workspace.markers)
     field = workspace.markers.filter
     type_into(qtbot, field, "no such marker")
     assert workspace.view.selection == selected
@@ -86,8 +88,8 @@ def test_the_wheel_turns_only_a_field_that_has_the_focus(opened: MainWindow, qtb
     for field in fields:
         turn(field)
     assert [field.property("value") for field in fields] == before
-    workspace.repair._limit_gap.setChecked(True)
-    limit = workspace.repair._max_gap
+    workspace.repair.limits._limit_gap.setChecked(True)
+    limit = workspace.repair.limits._max_gap
     limit.setFocus()
     qtbot.waitUntil(limit.hasFocus)
     turn(limit)

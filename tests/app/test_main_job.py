@@ -42,8 +42,8 @@ def choose_cubic(workspace: Workspace) -> None:
     """Choose a method that fills all gaps in a moment, up to 24 frames."""
     repair = workspace.repair
     repair._method.setCurrentIndex(repair._method.findData("cubic"))
-    repair._limit_gap.setChecked(True)
-    assert repair.max_gap() == 24
+    repair.limits._limit_gap.setChecked(True)
+    assert repair.limits.max_gap() == 24
 
 
 def close_pair(workspace: Workspace) -> tuple[Gap, Gap]:
@@ -122,7 +122,7 @@ def test_a_preview_beyond_the_limit_says_so(opened: MainWindow, qtbot: QtBot) ->
     workspace.view.go_to(max(gaps, key=lambda gap: gap.length))
     wait_for_preview(qtbot, workspace)
     assert "Above the limit of 20 mm" in workspace.repair._promise.text()
-    workspace.repair._limit_error.setChecked(False)
+    workspace.repair.limits._limit_error.setChecked(False)
     assert "Above the limit" not in workspace.repair._promise.text()
 
 
@@ -160,7 +160,7 @@ def test_window_and_command_line_write_the_same_bytes(
     # One of two gaps that are close: if the second leant on the first, the bytes would differ.
     workspace.view.go_to(close_pair(workspace)[0])
     wait_for_preview(qtbot, workspace)
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     workspace.fill_all()
     qtbot.waitUntil(lambda: workspace.document.undo_stack.count() == 2, timeout=20_000)
     by_window, by_command = tmp_path / "window.c3d", tmp_path / "command.c3d"
@@ -180,7 +180,7 @@ def test_a_preview_never_leans_on_other_fills(opened: MainWindow, qtbot: QtBot) 
     alone = view.preview
     view.go_to(close[0])
     wait_for_preview(qtbot, workspace)
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     view.go_to(close[1])
     wait_for_preview(qtbot, workspace)
     again = view.preview
@@ -198,7 +198,7 @@ def test_filling_all_leaves_what_was_repaired_meanwhile(opened: MainWindow, qtbo
     choose_cubic(workspace)
     wait_for_preview(qtbot, workspace)
     workspace.fill_all()
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     assert list(document.repairs) == [gap]
     own = document.repairs[gap]
     qtbot.waitUntil(lambda: document.undo_stack.count() == 2, timeout=20_000)
@@ -216,7 +216,7 @@ def test_only_the_last_choice_is_previewed(opened: MainWindow, qtbot: QtBot) -> 
     for _ in range(4):
         workspace.repair.step_method(1)
         workspace.previewer._timer.stop()
-        workspace.previewer._start()
+        workspace.previewer._compute_next()
     last = workspace.repair.method()[0]
     qtbot.waitUntil(lambda: opened.jobs.running == 0, timeout=20_000)
     assert seen == [last]
@@ -228,7 +228,7 @@ def test_edits_during_an_export_stay_unsaved(
     workspace = workspace_of(opened)
     wait_for_preview(qtbot, workspace)
     opened.files.export(tmp_path / "early.c3d")
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     qtbot.waitUntil(lambda: not opened.files.writing, timeout=20_000)
     assert opened.isWindowModified()
 
@@ -249,16 +249,16 @@ def test_opening_a_file_does_not_change_the_remembered_limit(
 ) -> None:
     settings.set(MAX_GAP_MS, 155.0)
     window = open_in(sprint)
-    assert workspace_of(window).repair.max_gap() == 18
+    assert workspace_of(window).repair.limits.max_gap() == 18
     window = open_in(gait)
-    assert workspace_of(window).repair.max_gap() == 15
+    assert workspace_of(window).repair.limits.max_gap() == 15
     assert settings.get(MAX_GAP_MS) == 155.0
-    workspace_of(window).repair._max_gap.setValue(30)
+    workspace_of(window).repair.limits._max_gap.setValue(30)
     assert settings.get(MAX_GAP_MS) == 300.0
 
 
 def test_the_limit_is_shown_in_ms_too(opened: MainWindow) -> None:
-    spin = workspace_of(opened).repair._max_gap
+    spin = workspace_of(opened).repair.limits._max_gap
     spin.setValue(33)
     assert spin.text() == "≤ 33 frames (275 ms)"
 
@@ -305,6 +305,7 @@ def test_a_click_in_3d_picks_the_marker_under_it(opened: MainWindow, qtbot: QtBo
 
 def test_selecting_in_the_list_selects_everywhere(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
+    workspace.show_pane(workspace.markers)
     table = workspace.markers.table
     row = table.visualRect(table.model().index(5, 0)).center()
     qtbot.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=row)
@@ -400,7 +401,7 @@ def test_unsaved_repairs_are_guarded(
 ) -> None:
     workspace = workspace_of(opened)
     wait_for_preview(qtbot, workspace)
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     asked: list[str] = []
 
     def answer(*_args: object) -> QMessageBox.StandardButton:
@@ -423,7 +424,7 @@ def test_the_original_is_replaced_only_after_a_yes(
     window = open_in(copy)
     workspace = workspace_of(window)
     wait_for_preview(qtbot, workspace)
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     monkeypatch.setattr(window.files, "_confirm", lambda *_: False)
     window.files.export(copy)
     assert copy.read_bytes() == sprint.read_bytes()
@@ -439,7 +440,7 @@ def test_a_filled_sample_is_told_from_a_measured_one(opened: MainWindow, qtbot: 
     gap = workspace.view.gap
     assert gap is not None
     wait_for_preview(qtbot, workspace)
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     inside = workspace.document.state[gap.start : gap.stop, gap.marker]
     assert (inside == SampleState.FILLED).all()
     assert len(workspace.document.runs(gap.marker, SampleState.FILLED)) == 1

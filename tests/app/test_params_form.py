@@ -33,12 +33,12 @@ def form(qtbot: QtBot) -> ParamsForm:
 
 @pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
 def test_an_untouched_form_gives_the_defaults(form: ParamsForm, method: Method) -> None:
-    form.show_class(method.params)
+    form.show_params(method.params())
     assert form.params() == method.params()
 
 
 def test_every_kind_of_parameter_can_be_edited(form: ParamsForm, qtbot: QtBot) -> None:
-    form.show_class(Example)
+    form.show_params(Example())
     assert form.params() == Example()
     count, lengths = form.findChild(QSpinBox), form.findChildren(QDoubleSpinBox)
     with qtbot.waitSignal(form.changed):
@@ -68,7 +68,7 @@ class Small:
 
 
 def test_a_small_number_is_shown_and_kept_as_it_is(form: ParamsForm) -> None:
-    form.show_class(Small)
+    form.show_params(Small())
     box = form.findChild(QDoubleSpinBox)
     assert box.text() == "0.0001"
     box.setValue(2.5e-8)
@@ -78,6 +78,6 @@ def test_a_small_number_is_shown_and_kept_as_it_is(form: ParamsForm) -> None:
 
 
 def test_another_method_replaces_the_form(form: ParamsForm) -> None:
-    form.show_class(Example)
-    form.show_class(METHODS["linear"].params)
+    form.show_params(Example())
+    form.show_params(METHODS["linear"].params())
     assert form.params() == METHODS["linear"].params()

@@ -58,8 +58,8 @@ def fill(window: MainWindow, method: str, longest: int, qtbot: QtBot) -> None:
     workspace = workspace_of(window)
     repair, before = workspace.repair, workspace.document.undo_stack.count()
     repair._method.setCurrentIndex(repair._method.findData(method))
-    repair._limit_gap.setChecked(True)
-    repair._max_gap.setValue(longest)
+    repair.limits._limit_gap.setChecked(True)
+    repair.limits._max_gap.setValue(longest)
     workspace.fill_all()
     qtbot.waitUntil(lambda: workspace.document.undo_stack.count() > before, timeout=20_000)
 
@@ -67,7 +67,7 @@ def fill(window: MainWindow, method: str, longest: int, qtbot: QtBot) -> None:
 def revert(window: MainWindow, number: int) -> None:
     workspace = workspace_of(window)
     workspace.view.go_to(sorted(workspace.document.repairs)[number])
-    workspace.clear_fill()
+    workspace.gap_actions.reopen()
 
 
 def error_in(window: MainWindow, qtbot: QtBot) -> str:

@@ -5,13 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from c3d_synthetic import Synthetic, encode
+from holes import HOLES
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton
 from pytestqt.qtbot import QtBot
 
 from mocapmend.cli import main
-from mocapmend.files import read_c3d
 from mocapmend.settings import LIMIT_GAP, MAX_GAP_MS, METHOD, Settings
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.method_box import MethodBox
@@ -22,22 +21,6 @@ from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS
 
 Open = Callable[[Path], MainWindow]
-
-
-HOLES = {"leading": Gap(4, 0, 12), "interior": Gap(9, 120, 150), "trailing": Gap(17, 330, 343)}
-
-
-@pytest.fixture(scope="session")
-def holed_walk(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Write the bundled walk, 343 frames of 41 markers, with three gaps."""
-    recording = read_c3d(samples / "walk_cmu_02_01.c3d").recording
-    points, fourth = recording.points.copy(), np.zeros(recording.present.shape)
-    for gap in HOLES.values():
-        points[gap.start : gap.stop, gap.marker] = 0
-        fourth[gap.start : gap.stop, gap.marker] = -1
-    path = tmp_path_factory.mktemp("walk") / "holed_walk.c3d"
-    path.write_bytes(encode(Synthetic(points, fourth=fourth, labels=list(recording.labels))))
-    return path
 
 
 @pytest.fixture
@@ -148,19 +131,19 @@ def test_a_length_that_an_older_version_remembers_is_a_limit(
 ) -> None:
     settings.set(MAX_GAP_MS, 150.0)
     repair = workspace_of(open_in(gait)).repair
-    assert repair.max_gap() == 15
-    repair._limit_gap.setChecked(False)
-    assert repair.max_gap() is None
+    assert repair.limits.max_gap() == 15
+    repair.limits._limit_gap.setChecked(False)
+    assert repair.limits.max_gap() is None
     assert settings.chosen(LIMIT_GAP)
     assert settings.get(MAX_GAP_MS) == 150.0
 
 
 def test_only_the_error_is_limited_at_first(workspace: Workspace, settings: Settings) -> None:
     repair = workspace.repair
-    assert (repair.max_gap(), repair.max_error_mm()) == (None, 20.0)
-    assert not repair._max_gap.isEnabled()
-    repair._limit_gap.setChecked(True)
-    assert repair.max_gap() == 20
+    assert (repair.limits.max_gap(), repair.limits.max_error_mm()) == (None, 20.0)
+    assert not repair.limits._max_gap.isEnabled()
+    repair.limits._limit_gap.setChecked(True)
+    assert repair.limits.max_gap() == 20
     assert settings.get(LIMIT_GAP)
 
 
@@ -194,7 +177,7 @@ def test_error_band_and_donors_are_known_before_applying(
     assert f"Donors: {names(preview.donors)}" in shown
     assert "hidden stretches of this marker" in shown
     assert "⚠" not in shown
-    workspace.repair._max_error.setValue(preview.patch.expected_error / 2)
+    workspace.repair.limits._max_error.setValue(preview.patch.expected_error / 2)
     assert "⚠ Above the limit" in promise(workspace)
     assert len(workspace.document.repairs) == 0
 
@@ -202,7 +185,7 @@ def test_error_band_and_donors_are_known_before_applying(
 def test_an_applied_repair_knows_its_donors(workspace: Workspace, qtbot: QtBot) -> None:
     gap = HOLES["interior"]
     donors = preview_of(workspace, gap, qtbot).donors
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     assert workspace.document.repairs[gap].donors == donors
     assert [record.donors for record in workspace.document.records()] == [donors]
     assert f"Donors: {names(donors)}" in promise(workspace)
@@ -299,13 +282,13 @@ def test_filling_all_automatically_is_cancelled(open_in: Open, sprint: Path, qtb
     workspace.message.connect(told.append)
     workspace.fill_all()
     assert not workspace.repair._fill_all.isEnabled()
-    job = workspace._filling
+    job = workspace.filling.job
     assert job is not None
     qtbot.waitUntil(lambda: job.progress > 0, timeout=20_000)
     cancel = window.findChild(QToolButton, "cancel_job")
     qtbot.waitUntil(cancel.isVisible, timeout=20_000)
     qtbot.mouseClick(cancel, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: workspace._filling is None, timeout=20_000)
+    qtbot.waitUntil(lambda: workspace.filling.job is None, timeout=20_000)
     assert told == ["Cancelled: nothing was filled."]
     assert job.progress < 0.5
     assert workspace.document.undo_stack.count() == 0

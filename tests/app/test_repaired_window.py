@@ -291,7 +291,7 @@ def test_fill_all_leaves_earlier_repairs_alone(
     document = workspace.document
     before = read_c3d(repaired_gait)
     document.undo_stack.setClean()
-    workspace.repair._limit_error.setChecked(False)
+    workspace.repair.limits._limit_error.setChecked(False)
     workspace.fill_all()
     qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
     assert len(document.repairs) > len(before.repairs)
@@ -374,7 +374,7 @@ def test_without_repairs_the_list_says_so(open_in: Open, gait: Path, qtbot: QtBo
     )
     workspace.view.go_to(gap)
     wait_for_preview(qtbot, workspace, workspace.repair.method()[0])
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     assert workspace.repairs._pages.currentWidget() is workspace.repairs.table
     assert marked(workspace) == [0]
     assert rows(workspace)[0][5] == "now"

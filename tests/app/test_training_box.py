@@ -25,7 +25,7 @@ def _shipped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def form(qtbot: QtBot) -> ParamsForm:
     made = ParamsForm()
     qtbot.addWidget(made)
-    made.show_class(TaughtParams)
+    made.show_params(TaughtParams())
     made.show()
     return made
 

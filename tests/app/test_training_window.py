@@ -44,7 +44,7 @@ def opened(
         return window.jobs.read_or_write(title, function, *pickle.loads(pickle.dumps(args)))
 
     monkeypatch.setattr(window.jobs, "compute", compute)
-    workspace_of(window).step_gap(1)
+    workspace_of(window).gap_actions.step(1)
     return window
 
 
@@ -79,7 +79,7 @@ def test_a_name_reaches_previews_repairs_and_records(opened: MainWindow, qtbot: 
     assert workspace.document.undo_stack.index() == 0, "Enter in the field applies nothing"
     assert not box.combo.hasFocus()
     assert preview(opened, qtbot, "gait").patch is not None
-    workspace.apply_preview()
+    workspace.gap_actions.apply()
     assert workspace.document.records()[0].parameters["training"] == "gait"
     gap = next(gap for gap in workspace.document.gaps if gap.length < 20)
     workspace.fill_all()

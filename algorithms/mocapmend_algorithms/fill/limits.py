@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.registry import Method
 from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.progress import Progress
@@ -92,26 +93,61 @@ def fill_within(
     FillResult
         Every gap is in `patches` or, with the reason, in `unfilled`, in the order given.
     """
-    limit = limits.frames(method, recording.rate)
-    too_long = {
-        gap: Unfilled(gap, _length_reason(gap, limit, limits, recording.rate))
-        for gap in gaps
-        if limit is not None and gap.length > limit and _concerns(gap, method, params, recording)
+    reasons = _too_long(recording, gaps, method, params, limits)
+    allowed = [gap for gap in gaps if gap not in reasons]
+    filled = fill_hiding(recording, allowed, method.function, params, progress)
+    return hold_to(recording, gaps, filled, method, params, limits)
+
+
+def hold_to(
+    recording: Recording,
+    gaps: Sequence[Gap],
+    filled: FillResult,
+    method: Method,
+    params: Any,
+    limits: Limits,
+) -> FillResult:
+    """Drop from a method's result what the user's limits do not allow.
+
+    Parameters
+    ----------
+    recording, gaps, method, params, limits
+        As of `fill_within`.
+    filled : FillResult
+        What the method makes of the gaps; it may lack those that are too long.
+
+    Returns
+    -------
+    FillResult
+        As of `fill_within`.
+    """
+    left_open = {
+        gap: Unfilled(gap, reason)
+        for gap, reason in _too_long(recording, gaps, method, params, limits).items()
     }
-    filled = method.function(
-        recording, [gap for gap in gaps if gap not in too_long], params, progress
-    )
-    doubtful = {
-        patch.gap: Unfilled(patch.gap, reason)
-        for patch in filled.patches
-        if (reason := _doubt(patch, method, limits, recording))
-    }
-    left_open = too_long | doubtful | {unfilled.gap: unfilled for unfilled in filled.unfilled}
+    for patch in filled.patches:
+        if patch.gap not in left_open and (reason := _doubt(patch, method, limits, recording)):
+            left_open[patch.gap] = Unfilled(patch.gap, reason)
+    left_open |= {unfilled.gap: unfilled for unfilled in filled.unfilled}
     return FillResult(
         tuple(patch for patch in filled.patches if patch.gap not in left_open),
         tuple(left_open[gap] for gap in gaps if gap in left_open),
         filled.notes,
     )
+
+
+def _too_long(
+    recording: Recording, gaps: Sequence[Gap], method: Method, params: Any, limits: Limits
+) -> dict[Gap, str]:
+    """Return the gaps that are not even computed, with the reasons."""
+    limit = limits.frames(method, recording.rate)
+    if limit is None:
+        return {}
+    return {
+        gap: _length_reason(gap, limit, limits, recording.rate)
+        for gap in gaps
+        if gap.length > limit and _concerns(gap, method, params, recording)
+    }
 
 
 def _concerns(gap: Gap, method: Method, params: Any, recording: Recording) -> bool:

@@ -1,18 +1,27 @@
-"""List the gaps of a file: runs of frames in which a marker is missing."""
+"""List the gaps of a file: runs of frames in which a marker is missing.
+
+With --rank, repairs are tried on all of them, and the gaps come in the order of the expected harm:
+expected error of the best repair times missing frames.
+"""
 
 import argparse
+from typing import Any
 
 import numpy as np
 
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.files import read_recording
-from mocapmend_algorithms import find_gaps
+from mocapmend.ranking import Problem, Status, rank
+from mocapmend_algorithms import Recording, find_gaps
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the command takes."""
     common.add_file(parser)
+    parser.add_argument(
+        "--rank", action="store_true", help="try repairs, and list the most harmful gaps first"
+    )
 
 
 def run(arguments: argparse.Namespace, console: Console) -> int:
@@ -22,36 +31,60 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     recording = source.recording
     gaps = find_gaps(recording.present)
     missing = int(np.count_nonzero(~recording.present))
+    problems = [Problem(gap, Status.OPEN) for gap in gaps]
+    if arguments.rank:
+        console.start("Ranking")
+        problems = rank(source.measured, gaps, console.progress)
     console.result(
         **common.facts(source),
-        gaps=[
-            {
-                **common.place(recording, gap),
-                "length_frames": gap.length,
-                "length_ms": common.milliseconds(recording, gap),
-                "kind": gap.kind(recording.frames),
-            }
-            for gap in gaps
-        ],
+        gaps=[_as_json(recording, problem, ranked=arguments.rank) for problem in problems],
         missing_samples=missing,
         markers_with_gaps=len({gap.marker for gap in gaps}),
     )
-    if gaps:
-        console.table(
-            ("Marker", ">Frames", ">Length", ">ms", "Kind"),
-            [
-                (
-                    recording.labels[gap.marker],
-                    common.frames_text(recording, gap),
-                    str(gap.length),
-                    f"{common.milliseconds(recording, gap):.0f}",
-                    gap.kind(recording.frames),
-                )
-                for gap in gaps
-            ],
-        )
+    if problems:
+        headers: tuple[str, ...] = ("Marker", ">Frames", ">Length", ">ms", "Kind")
+        rows = [_row(recording, problem) for problem in problems]
+        if arguments.rank:
+            headers += (">Error", ">Harm", "Best")
+            rows = [(*row, *_rank(recording, p)) for row, p in zip(rows, problems, strict=True)]
+        console.table(headers, rows)
     console.say(
         f"{common.count(len(gaps), 'gap')}, {common.count(missing, 'missing sample')} "
         f"of {recording.present.size}."
     )
     return 0
+
+
+def _as_json(recording: Recording, problem: Problem, *, ranked: bool) -> dict[str, Any]:
+    gap, best = problem.gap, problem.best
+    described = {
+        **common.place(recording, gap),
+        "length_frames": gap.length,
+        "length_ms": common.milliseconds(recording, gap),
+        "kind": gap.kind(recording.frames),
+    }
+    if ranked:
+        described |= {
+            "best_method": None if best is None else best.method,
+            "expected_error_mm": problem.error * recording.mm,
+            "harm_mm_frames": problem.harm * recording.mm,
+        }
+    return described
+
+
+def _row(recording: Recording, problem: Problem) -> tuple[str, ...]:
+    gap = problem.gap
+    return (
+        recording.labels[gap.marker],
+        common.frames_text(recording, gap),
+        str(gap.length),
+        f"{common.milliseconds(recording, gap):.0f}",
+        gap.kind(recording.frames),
+    )
+
+
+def _rank(recording: Recording, problem: Problem) -> tuple[str, ...]:
+    if problem.best is None:
+        return ("?", "?", "")
+    error, harm = problem.error * recording.mm, problem.harm * recording.mm
+    return (f"{error:.1f} mm", f"{harm:.0f}", problem.best.method)

@@ -103,7 +103,8 @@ def check_files(
     """Compare two files, byte by byte.
 
     These may differ: samples of markers that the original lacks, or that were repaired in it
-    before, if the repaired file marks them as computed (fourth word 0) or as missing again; the
+    before, if the repaired file marks them as computed (fourth word 0) or as missing again;
+    measured samples that a listed repair of a gap covers at its ends; the
     repair record, with the numbers of blocks that it moves; integers that became floats, if the
     repair record says so. A sample that the repair record of the repaired file does not list may
     not differ.
@@ -144,7 +145,9 @@ def check_files(
         others.append(f"The sizes differ: {first_stamp.size} and {second_stamp.size} bytes.")
     reverted = found.forgive(_listed(earlier, alignment.layout))
     unlisted = np.zeros_like(found.changed)
+    ends = 0
     if record is not None:
+        ends = found.forgive_ends(_runs(record, alignment.layout))
         unlisted = found.changed & ~reverted & ~_listed(record, alignment.layout)
         # A copy without new repairs has the record of its original, which names one before.
         copied = earlier is not None and record.inputs == earlier.inputs
@@ -164,7 +167,7 @@ def check_files(
             for start, stop in runs(changed[:, point])
         ),
         changed_samples=int(np.count_nonzero(changed)),
-        allowed=tuple(_allowed(alignment)),
+        allowed=tuple(_allowed(alignment, ends)),
         other_differences=tuple(others),
         identical=alignment.heads_equal and not (others or changed.any()),
     )
@@ -187,8 +190,21 @@ def _listed(record: Provenance | None, layout: Layout) -> NDArray[np.bool_]:
     return listed_samples(repairs, (layout.frames, layout.points), layout.first_frame)
 
 
-def _allowed(alignment: Alignment) -> Iterator[str]:
-    """Say what differs besides samples and may."""
+def _runs(record: Provenance, layout: Layout) -> Iterator[tuple[slice, int]]:
+    """Yield frames and point of the repairs that a record lists."""
+    for repair in record.repairs:
+        start, stop = repair.rows(layout.first_frame)
+        if 0 < repair.point <= layout.points:
+            yield slice(max(start, 0), max(stop, 0)), repair.point - 1
+
+
+def _allowed(alignment: Alignment, ends: int) -> Iterator[str]:
+    """Say what differs besides missing samples and may."""
+    if ends:
+        yield (
+            f"{ends} measured sample{'' if ends == 1 else 's'} at the ends of repaired gaps "
+            "were replaced; the repair record lists them."
+        )
     if alignment.before is None or alignment.after is None:
         return
     blocks = alignment.after.record_blocks - alignment.before.record_blocks

@@ -1,6 +1,7 @@
 """Where two C3D files differ: which samples, which analog values, which parameters."""
 
 from collections import Counter
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +67,27 @@ class Findings:
         self.empty &= ~reverted
         self.unmarked &= ~reverted
         return reverted
+
+    def forgive_ends(self, runs: Iterable[tuple[slice, int]]) -> int:
+        """Allow measured samples to be replaced where a repair covers the ends of a gap.
+
+        Parameters
+        ----------
+        runs : iterable of (slice, int)
+            Frames and point of the repairs. One without a missing sample is no repair of a gap.
+
+        Returns
+        -------
+        int
+            How many measured samples these are.
+        """
+        count = 0
+        for rows, point in runs:
+            ends = self.measured[rows, point]
+            if ends.any() and (self.changed[rows, point] & ~ends).any():
+                count += int(np.count_nonzero(ends))
+                self.measured[rows, point] = False
+        return count
 
     def add(self, before: Piece, after: Piece) -> None:
         """Note where two pieces differ."""

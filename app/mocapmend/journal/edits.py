@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mocapmend.document import Edit, Repair
 from mocapmend.journal.file import Event, Record
-from mocapmend.state import SampleState
+from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.registry import method, restore_params
@@ -98,7 +98,7 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
     _require(len(values) == len(states) == lengths.sum())
     _require(len(sigma) == len(r90) == lengths[filled].sum())
     _require(bool(np.isin(states, list(SampleState)).all()))
-    missing = states == SampleState.MISSING
+    missing = np.isin(states, ABSENT)
     _require(bool(np.isfinite(values[~missing]).all() and np.isnan(values[missing]).all()))
     edits = []
     ends, band_ends = np.cumsum(lengths), np.cumsum(lengths * filled)

@@ -8,6 +8,11 @@ if TYPE_CHECKING:
     from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
 
+
+def _candidate(number: int) -> "Callable[[Workspace], object]":
+    return lambda w: w.repair.pick_candidate(number)
+
+
 FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
     "open": lambda f: f.ask_and_open(),
     "export": lambda f: f.ask_and_export(),
@@ -26,16 +31,22 @@ PROOF_COMMANDS: "dict[str, Callable[[ProofActions], object]]" = {
 COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "undo": lambda w: w.document.undo_stack.undo(),
     "redo": lambda w: w.document.undo_stack.redo(),
-    "next_gap": lambda w: w.step_gap(1),
-    "previous_gap": lambda w: w.step_gap(-1),
-    "next_gap_here": lambda w: w.step_gap(1, same_marker=True),
-    "previous_gap_here": lambda w: w.step_gap(-1, same_marker=True),
+    "next_gap": lambda w: w.gap_actions.step(1),
+    "previous_gap": lambda w: w.gap_actions.step(-1),
+    "next_gap_here": lambda w: w.gap_actions.step_here(1),
+    "previous_gap_here": lambda w: w.gap_actions.step_here(-1),
     "next_method": lambda w: w.repair.step_method(1),
     "previous_method": lambda w: w.repair.step_method(-1),
-    "apply": lambda w: w.apply_preview(),
-    "apply_next": lambda w: w.apply_and_go_on(),
+    "apply": lambda w: w.gap_actions.apply(),
+    "apply_next": lambda w: w.gap_actions.apply_and_go_on(),
+    "leave_open": lambda w: w.gap_actions.leave_open(),
+    "never_fill": lambda w: w.gap_actions.never_fill(),
+    "widen": lambda w: w.gap_actions.widen(1),
+    "narrow": lambda w: w.gap_actions.widen(-1),
+    "plan": lambda w: w.show_plan(),
     "fill_all": lambda w: w.fill_all(),
-    "clear_fill": lambda w: w.clear_fill(),
+    "clear_fill": lambda w: w.gap_actions.reopen(),
+    **{f"candidate_{number}": _candidate(number) for number in range(1, 9)},
     "play": lambda w: w.player.toggle(),
     "next_frame": lambda w: w.step_frames(1),
     "previous_frame": lambda w: w.step_frames(-1),
@@ -48,6 +59,7 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "zoom_in": lambda w: w.zoom_time(0.5),
     "zoom_out": lambda w: w.zoom_time(2.0),
     "zoom_all": lambda w: w.zoom_all(),
+    "show_queue": lambda w: w.show_pane(w.queue),
     "show_timeline": lambda w: w.show_pane(w.timeline),
     "show_repairs": lambda w: w.show_pane(w.repairs),
     "show_report": lambda w: w.show_pane(w.report),
@@ -65,6 +77,8 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
 """By action id."""
 
 SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
+    "compare": lambda w, on: w.set_comparing(on),
+    "pick_donors": lambda w, on: w.pick_donors(on),
     "follow": lambda w, on: w.scene.set_follow(on),
     "labels": lambda w, on: w.scene.set_labels(on),
     "trails": lambda w, on: w.scene.set_trails(on),

@@ -29,6 +29,7 @@ from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
 from mocapmend.settings import (
+    COMPARE,
     GEOMETRY,
     RECENT_FILES,
     THEME,
@@ -98,6 +99,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self.restoreGeometry(settings.get(GEOMETRY))
         self.actions_by_id["theme"].setChecked(self.theme is LIGHT)
+        self.actions_by_id["compare"].setChecked(settings.get(COMPARE))
         self.actions_by_id["follow"].setChecked(True)
         self.actions_by_id["trails"].setChecked(True)
         self._show_theme()
@@ -134,6 +136,7 @@ class MainWindow(QMainWindow):
             "File": self.tr("&File"),
             "Edit": self.tr("&Edit"),
             "Gaps": self.tr("&Gaps"),
+            "Repair": self.tr("&Repair"),
             "Play": self.tr("&Play"),
             "View": self.tr("&View"),
             "Plots": self.tr("P&lots"),

@@ -65,6 +65,13 @@ class NamesEdit(QWidget):
             else self.tr("To take markers, Ctrl+click them in the list.")
         )
 
+    def toggle(self, label: str) -> None:
+        """Add a marker, or take it out."""
+        labels = self.labels()
+        rest = tuple(other for other in labels if other != label)
+        self.edit.setText(self._text(rest if len(rest) < len(labels) else (*labels, label)))
+        self._tell()
+
     def _text(self, labels: Sequence[str]) -> str:
         return write_words([self._names.get(label, label) for label in labels])
 

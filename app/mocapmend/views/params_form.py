@@ -50,15 +50,17 @@ class ParamsForm(QWidget):
         self._kind: type[Any] | None = None
         self._getters: dict[str, Getter] = {}
 
-    def show_class(self, kind: type[Any]) -> None:
-        """Make the fields of a parameter class, with its defaults."""
+    def show_params(self, params: Any) -> None:
+        """Make the fields of a parameter class, with the values of one of its instances."""
+        kind = type(params)
         while self._layout.rowCount():
             self._layout.removeRow(0)
         self._kind = kind
         self._getters = {}
         hints = get_type_hints(kind)
         for entry in fields(kind):
-            widget, getter = self._editor(entry, hints[entry.name])
+            value = getattr(params, entry.name)
+            widget, getter = self._editor(entry, hints[entry.name], value)
             widget.setObjectName(entry.name)
             widget.setToolTip(str(entry.metadata.get("help", "")))
             widget.setAccessibleName(str(entry.metadata.get("label", entry.name)))
@@ -77,66 +79,75 @@ class ParamsForm(QWidget):
         for field in self.findChildren(NamesEdit):
             field.set_selection(self._selection)
 
-    def _editor(self, entry: Field[Any], hint: Any) -> tuple[QWidget, Getter]:
+    def pick(self, label: str) -> bool:
+        """Add a marker to the list of markers, or take it out; say whether there is such a list."""
+        field = self.findChild(NamesEdit)
+        if field is None:
+            return False
+        field.toggle(label)
+        return True
+
+    def _editor(self, entry: Field[Any], hint: Any, value: Any) -> tuple[QWidget, Getter]:
         if NoneType in get_args(hint):
             inner = next(part for part in get_args(hint) if part is not NoneType)
-            return self._optional(entry, inner)
+            return self._optional(entry, inner, value)
         if get_origin(hint) is Literal:
-            return self._choice(get_args(hint), entry.default)
+            return self._choice(get_args(hint), value)
         if hint == Words:
-            return self._words(entry.default)
+            return self._words(value)
         if entry.metadata["training"]:
-            return self._training(entry)
+            return self._training(entry, value)
         if hint is bool:
             box = QCheckBox()
-            box.setChecked(bool(entry.default))
+            box.setChecked(bool(value))
             box.toggled.connect(self.changed)
             return box, box.isChecked
-        return self._number(entry, hint, entry.default)
+        return self._number(entry, hint, value)
 
-    def _choice(self, options: tuple[str, ...], default: object) -> tuple[QWidget, Getter]:
+    def _choice(self, options: tuple[str, ...], value: object) -> tuple[QWidget, Getter]:
         combo = QComboBox()
         for option in options:
             combo.addItem(option, option)
-        combo.setCurrentIndex(options.index(str(default)))
+        combo.setCurrentIndex(options.index(str(value)))
         combo.currentIndexChanged.connect(self.changed)
         return combo, combo.currentData
 
-    def _words(self, default: Any) -> tuple[QWidget, Getter]:
-        edit = NamesEdit(default, self._markers)
+    def _words(self, value: Words) -> tuple[QWidget, Getter]:
+        edit = NamesEdit(value, self._markers)
         edit.set_selection(self._selection)
         edit.changed.connect(self.changed)
         return edit, edit.labels
 
-    def _training(self, entry: Field[Any]) -> tuple[QWidget, Getter]:
-        box = TrainingBox(str(entry.default), entry.metadata["label"])
+    def _training(self, entry: Field[Any], value: str) -> tuple[QWidget, Getter]:
+        box = TrainingBox(value, entry.metadata["label"])
         box.changed.connect(self.changed)
         return box, box.name
 
     def _number(
-        self, entry: Field[Any], hint: type, default: Any
+        self, entry: Field[Any], hint: type, value: Any
     ) -> tuple[QSpinBox | QDoubleSpinBox, Getter]:
         low, high = entry.metadata["min"], entry.metadata["max"]
-        small = min((x for x in (low, default) if x), default=1.0)
+        # By the default and not by the value: the same field has the same decimals.
+        default: Any = entry.default
+        small: float = min((x for x in (low, default) if x), default=1.0)
         spin: QSpinBox | QDoubleSpinBox = QSpinBox() if hint is int else _NumberBox(small)
         spin.setRange(0 if low is None else low, UNBOUNDED if high is None else high)
         unit = entry.metadata.get("unit")
         spin.setSuffix(f" {unit}" if unit else "")
-        spin.setValue(default)
+        spin.setValue(value)
         spin.setKeyboardTracking(False)
         spin.valueChanged.connect(self.changed)
         return spin, spin.value
 
-    def _optional(self, entry: Field[Any], inner: type) -> tuple[QWidget, Getter]:
+    def _optional(self, entry: Field[Any], inner: type, value: Any) -> tuple[QWidget, Getter]:
         """Make a number that can be left to the method: below its minimum it reads "automatic"."""
         low = entry.metadata["min"] or 0
-        default: Any = entry.default
         spin, _ = self._number(entry, inner, low)
         lowest: Any = low - spin.singleStep()
         spin.blockSignals(True)  # noqa: FBT003 - Qt's own signature
         spin.setMinimum(lowest)
         spin.setSpecialValueText(self.tr("automatic"))
-        spin.setValue(lowest if default is None else default)
+        spin.setValue(lowest if value is None else value)
         spin.blockSignals(False)  # noqa: FBT003 - Qt's own signature
         return spin, lambda: None if spin.value() < low else spin.value()
 

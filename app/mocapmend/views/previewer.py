@@ -1,8 +1,6 @@
-"""Computes the repair of the current gap in the background and drops what is out of date."""
+"""Computes repairs of the current gap in the background and drops what is out of date."""
 
-from collections.abc import Callable
-from functools import partial
-from typing import Any
+from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -10,38 +8,51 @@ from mocapmend import engine
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
-from mocapmend.viewstate import Preview, ViewState
+from mocapmend.prospects import Preview, Prospects, Way
+from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult
 
 DELAY_MS = 40
-"""Scrolling through methods or gaps asks for many previews; only the last one is computed."""
+"""Scrolling through methods or gaps asks for many previews; only the last ones are computed."""
 
 
 class Previewer(QObject):
-    """Keeps the view state's preview true to its gap, the chosen method and the document."""
+    """Keeps the view state's preview and candidates true to its gap and the chosen ways.
+
+    The chosen way comes first, then the others, one after another.
+    """
 
     failed = Signal(object)
 
     def __init__(
-        self, document: Document, view: ViewState, jobs: Jobs, parent: QObject | None = None
+        self,
+        document: Document,
+        view: ViewState,
+        prospects: Prospects,
+        jobs: Jobs,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._document = document
         self._view = view
+        self._prospects = prospects
         self._jobs = jobs
-        self._method: tuple[str, Any] | None = None
+        self._chosen: Way | None = None
+        self._others: tuple[Way, ...] = ()
+        self._refused: dict[Way, Preview] = {}
+        """Ways that ended with an error for the current gap: they are tried again at the next."""
         self._job: Job | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY_MS)
-        self._timer.timeout.connect(self._start)
+        self._timer.timeout.connect(self._compute_next)
         view.gap_changed.connect(self._refresh)
         document.samples_changed.connect(self._refresh)
 
-    def choose(self, method: str, params: object) -> None:
-        """Preview with another method or other parameters."""
-        self._method = (method, params)
+    def choose(self, chosen: Way, others: Sequence[Way]) -> None:
+        """Preview with another way, beside other candidates in the order of their numbers."""
+        self._chosen, self._others = chosen, tuple(others)
         self._refresh()
 
     def stop(self) -> None:
@@ -51,53 +62,78 @@ class Previewer(QObject):
             self._job.abandon()
             self._job = None
 
+    @property
+    def busy(self) -> bool:
+        """Whether a candidate is still to come."""
+        return self._job is not None or self._timer.isActive()
+
     def _refresh(self) -> None:
         self.stop()
-        self._view.set_preview(None)
-        gap = self._view.gap
-        if gap is not None and gap in self._document.gaps_of(gap.marker):
+        self._refused = {}
+        gap = self._open_gap()
+        if gap is None:
+            self._view.set_preview(None)
+            self._view.set_candidates(())
+            return
+        self._show(gap)
+        if self._missing(gap) is not None:
             self._timer.start()
 
-    def _start(self) -> None:
+    def _open_gap(self) -> Gap | None:
         gap = self._view.gap
-        if gap is None or self._method is None:
+        return gap if gap is not None and gap in self._document.gaps_of(gap.marker) else None
+
+    def _known(self, gap: Gap, way: Way) -> Preview | None:
+        return self._refused.get(way) or self._prospects.get(gap, way)
+
+    def _missing(self, gap: Gap) -> Way | None:
+        """Return the next way to compute."""
+        wanted = (*(() if self._chosen is None else (self._chosen,)), *self._others)
+        return next((way for way in wanted if self._known(gap, way) is None), None)
+
+    def _show(self, gap: Gap) -> None:
+        chosen = None if self._chosen is None else self._known(gap, self._chosen)
+        self._view.set_preview(chosen)
+        known = ((number, self._known(gap, way)) for number, way in enumerate(self._others, 1))
+        self._view.set_candidates(
+            tuple((number, preview) for number, preview in known if preview is not None)
+        )
+
+    def _compute_next(self) -> None:
+        gap = self._open_gap()
+        way = None if gap is None else self._missing(gap)
+        if gap is None or way is None:
             return
-        method, params = self._method
         job = self._jobs.compute(
             self.tr("Preview"),
             engine.fill_gap,
             self._document.share_original(),
             gap,
-            method,
-            params,
+            *way,
             quiet=True,
         )
-        job.finished.connect(lambda result: self._show(gap, method, params, result))
-        none = partial(Preview, gap, method, params, None)
-        job.cancelled.connect(
-            lambda: self._view.set_preview(none(self.tr("the preview was cancelled")))
-        )
-        job.failed.connect(lambda error: self._tell(error, none))
+        job.finished.connect(lambda result: self._keep(gap, way, result))
+        job.cancelled.connect(lambda: self._refuse(gap, way, self.tr("the preview was cancelled")))
+        job.failed.connect(lambda error: self._tell(gap, way, error))
         self._job = job
 
-    def _tell(self, error: Exception, none: Callable[[str], Preview]) -> None:
+    def _keep(self, gap: Gap, way: Way, result: FillResult) -> None:
+        self._prospects.add(way, [gap], result)
+        self._go_on(gap)
+
+    def _tell(self, gap: Gap, way: Way, error: Exception) -> None:
         """Show what the user can mend where the preview would be: no dialog at every gap."""
         if isinstance(error, MocapmendError):
-            self._view.set_preview(none(str(error)))
+            self._refuse(gap, way, str(error))
         else:
-            self._view.set_preview(none(self.tr("the preview failed")))
+            self._refuse(gap, way, self.tr("the preview failed"))
             self.failed.emit(error)
 
-    def _show(self, gap: Gap, method: str, params: object, result: FillResult) -> None:
-        if result.patches:
-            preview = Preview(
-                gap,
-                method,
-                params,
-                result.patches[0],
-                note=result.notes.get(gap, {}),
-                donors=result.donors(gap),
-            )
-        else:
-            preview = Preview(gap, method, params, None, reason=result.unfilled[0].reason)
-        self._view.set_preview(preview)
+    def _refuse(self, gap: Gap, way: Way, reason: str) -> None:
+        self._refused[way] = Preview(gap, *way, None, reason)
+        self._go_on(gap)
+
+    def _go_on(self, gap: Gap) -> None:
+        self._job = None
+        self._show(gap)
+        self._compute_next()

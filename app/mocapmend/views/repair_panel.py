@@ -1,4 +1,4 @@
-"""The repair pane: the current gap, the method and what it promises, and filling all at once."""
+"""The repair pane: the current gap, its repairs side by side, and filling all at once."""
 
 from collections.abc import Sequence
 from html import escape
@@ -8,35 +8,28 @@ import numpy as np
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
-    QCheckBox,
-    QDoubleSpinBox,
-    QFormLayout,
     QGroupBox,
     QHBoxLayout,
     QLabel,
     QPushButton,
     QScrollArea,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
 from mocapmend.document import Document
-from mocapmend.settings import (
-    LIMIT_ERROR,
-    LIMIT_GAP,
-    MAX_ERROR_MM,
-    MAX_GAP_MS,
-    METHOD,
-    Settings,
-)
+from mocapmend.prospects import Preview, Way
+from mocapmend.settings import COMPARE, METHOD, Settings
+from mocapmend.trimming import hidden
 from mocapmend.views.action_button import ActionButton
+from mocapmend.views.candidate_list import CandidateList
+from mocapmend.views.limits_box import LimitsBox
 from mocapmend.views.method_box import MethodBox
 from mocapmend.views.params_form import ParamsForm
-from mocapmend.viewstate import Preview, ViewState
+from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Patch
-from mocapmend_algorithms.fill.registry import method_label
+from mocapmend_algorithms.fill.registry import METHODS, method_label
 
 PANEL_WIDTH = 270
 MOST_DONORS = 6
@@ -48,13 +41,13 @@ class RepairPanel(QScrollArea):
 
     Signals
     -------
-    method_chosen : str, object
-        Method id and parameters.
+    ways_changed :
+        Another method is chosen, others are compared, or the parameters are others.
     rebuilt :
         There are new fields.
     """
 
-    method_chosen = Signal(str, object)
+    ways_changed = Signal()
     rebuilt = Signal()
 
     def __init__(
@@ -69,6 +62,8 @@ class RepairPanel(QScrollArea):
         self._document = document
         self._view = view
         self._settings = settings
+        self._params: dict[str, Any] = {}
+        """By method id: what the user has changed lasts as long as the recording is open."""
         self._names = dict(zip(document.original.labels, document.names, strict=True))
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -89,26 +84,45 @@ class RepairPanel(QScrollArea):
         view.gap_changed.connect(self._offer_donors)
         view.gap_changed.connect(self._show_gap)
         view.preview_changed.connect(self._show_gap)
+        view.picked.connect(self._pick)
         document.samples_changed.connect(self._show_gap)
         self._show_gap()
 
     # --- what it asks for --------------------------------------------------------------------
 
-    def method(self) -> tuple[str, Any]:
-        """Return the chosen method id and its parameters."""
-        return self._method.method.id, self._form.params()
+    def method(self) -> Way:
+        """Return the chosen method and its parameters."""
+        return Way(self._method.method.id, self._form.params())
+
+    def compared(self) -> list[Way]:
+        """Return the methods that are compared, in the order of their numbers."""
+        if not self._settings.get(COMPARE):
+            return []
+        chosen = self.method()
+        return [
+            chosen if name == chosen.method else Way(name, self._params_of(name))
+            for name in self._candidates.methods
+        ]
 
     def step_method(self, step: int) -> None:
         """Choose the next or the previous method of the list."""
         self._method.step(step)
 
-    def max_gap(self) -> int | None:
-        """Return the longest gap that filling all may fill, in frames; None for any."""
-        return self._max_gap.value() if self._limit_gap.isChecked() else None
+    def pick_candidate(self, number: int) -> None:
+        """Choose the method with a number of the comparison, counted from 1."""
+        if number <= len(self._candidates.methods):
+            self._choose(self._candidates.methods[number - 1])
 
-    def max_error_mm(self) -> float:
-        """Return the largest expected error that filling all may accept, in mm."""
-        return self._max_error.value() if self._limit_error.isChecked() else float("inf")
+    def set_comparing(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        """Compute the repairs by other methods too, or the chosen one alone."""
+        self._settings.set(COMPARE, on)
+        self._candidates.setVisible(on)
+        self.ways_changed.emit()
+
+    @property
+    def takes_donors(self) -> bool:
+        """Whether the chosen method lets the user name donors."""
+        return hasattr(self._form.params(), "donors")
 
     def show_filling(self, *, running: bool) -> None:
         """Tell whether filling all is going on."""
@@ -133,12 +147,16 @@ class RepairPanel(QScrollArea):
         self._title.setWordWrap(True)
         self._title.setTextFormat(Qt.TextFormat.PlainText)
         steps = QHBoxLayout()
-        steps.addWidget(ActionButton(actions["previous_gap"], self.tr("◀ Previous gap")))
-        steps.addWidget(ActionButton(actions["next_gap"], self.tr("Next gap ▶")))
+        steps.addWidget(ActionButton(actions["previous_gap"], self.tr("◀ Previous")))
+        steps.addWidget(ActionButton(actions["next_gap"], self.tr("Next ▶")))
         self._method = MethodBox(self._settings.get(METHOD))
         self._method.currentIndexChanged.connect(self._choose_method)
+        self._candidates = CandidateList(self._document, self._view, self._method.method.id)
+        if not self._settings.get(COMPARE):
+            self._candidates.hide()
+        self._candidates.picked.connect(self._choose)
         self._form = ParamsForm({name: label for label, name in self._names.items()})
-        self._form.changed.connect(self._announce)
+        self._form.changed.connect(self._take_params)
         self._form.rebuilt.connect(self.rebuilt)
         self._promise = QLabel()
         self._promise.setWordWrap(True)
@@ -158,73 +176,37 @@ class RepairPanel(QScrollArea):
         decide.addWidget(self._clear)
         layout.addWidget(self._title)
         layout.addLayout(steps)
+        layout.addWidget(self._candidates)
         layout.addWidget(self._method)
-        layout.addWidget(self._promise)
-        # Above the parameters: where it stays whatever the method, and in sight in a small window.
+        # Above the parameters: where they stay whatever the method, in sight in a small window.
         layout.addLayout(decide)
+        layout.addWidget(self._promise)
         layout.addWidget(self._form)
         return box
 
     def _make_all_box(self, actions: dict[str, QAction]) -> QGroupBox:
         box = QGroupBox(self.tr("All gaps, with this method"))
         layout = _tight(box)
-        rate = self._document.original.rate
-        self._limit_gap = QCheckBox(self.tr("length"))
-        # A length that an older version remembers was always a limit.
-        old = self._settings.chosen(MAX_GAP_MS) and not self._settings.chosen(LIMIT_GAP)
-        self._limit_gap.setChecked(old or self._settings.get(LIMIT_GAP))
-        self._limit_gap.toggled.connect(lambda on: self._settings.set(LIMIT_GAP, on))
-        self._max_gap = QSpinBox()
-        self._max_gap.setRange(0, max(1, self._document.original.frames))
-        self._max_gap.setPrefix("≤ ")
-        self._max_gap.setAccessibleName(self.tr("Longest gap in frames"))
-        remembered = self._settings.get(MAX_GAP_MS) * rate / 1000.0 + 1e-6
-        self._max_gap.setValue(int(min(remembered, self._max_gap.maximum())))
-        self._max_gap.valueChanged.connect(self._remember_limit)
-        self._max_gap.setEnabled(self._limit_gap.isChecked())
-        self._limit_gap.toggled.connect(self._max_gap.setEnabled)
-        self._limit_error = QCheckBox(self.tr("expected error"))
-        self._limit_error.setChecked(self._settings.get(LIMIT_ERROR))
-        self._limit_error.toggled.connect(lambda on: self._settings.set(LIMIT_ERROR, on))
-        self._max_error = QDoubleSpinBox()
-        self._max_error.setRange(0.1, 1000.0)
-        self._max_error.setDecimals(1)
-        self._max_error.setPrefix("≤ ")
-        self._max_error.setSuffix(" mm")
-        self._max_error.setAccessibleName(self.tr("Largest expected error in mm"))
-        self._max_error.setValue(self._settings.get(MAX_ERROR_MM))
-        self._max_error.setEnabled(self._limit_error.isChecked())
-        self._max_error.valueChanged.connect(lambda mm: self._settings.set(MAX_ERROR_MM, mm))
-        self._limit_error.toggled.connect(self._max_error.setEnabled)
-        self._limit_error.toggled.connect(self._show_gap)
-        self._max_error.valueChanged.connect(self._show_gap)
-        form = QFormLayout()
-        form.addRow(self._limit_gap, self._max_gap)
-        form.addRow(self._limit_error, self._max_error)
+        self.limits = LimitsBox(self._document.original, self._settings)
+        self.limits.changed.connect(self._show_gap)
         self._outcome = QLabel()
         self._outcome.setWordWrap(True)
         self.left_open = QPushButton(self.tr("Show what stayed open…"))
-        layout.addLayout(form)
         self._fill_all = ActionButton(actions["fill_all"], self.tr("Fill all"))
-        layout.addWidget(self._fill_all)
+        doing = QHBoxLayout()
+        doing.addWidget(ActionButton(actions["plan"], self.tr("Plan…")))
+        doing.addWidget(self._fill_all)
+        layout.addWidget(self.limits)
+        layout.addLayout(doing)
         layout.addWidget(self._outcome)
         layout.addWidget(self.left_open)
         self.show_outcome("", open_gaps=False)
-        self._show_limit()
         return box
 
     # --- what it shows -----------------------------------------------------------------------
 
-    def _limit_ms(self) -> float:
-        return 1000.0 * self._max_gap.value() / self._document.original.rate
-
-    def _show_limit(self) -> None:
-        self._max_gap.setSuffix(self.tr(" frames ({0} ms)").format(round(self._limit_ms())))
-
-    def _remember_limit(self) -> None:
-        """Keep what the user has chosen; what a recording's rate makes of it is not a choice."""
-        self._show_limit()
-        self._settings.set(MAX_GAP_MS, self._limit_ms())
+    def _choose(self, method: str) -> None:
+        self._method.setCurrentIndex(self._method.findData(method))
 
     def _choose_method(self) -> None:
         self._settings.set(METHOD, self._method.method.id)
@@ -233,17 +215,30 @@ class RepairPanel(QScrollArea):
     def _show_method(self) -> None:
         method = self._method.method
         self._method.setToolTip(method.help)
-        self._form.show_class(method.params)
-        self._announce()
+        self._candidates.choose(method.id)
+        self._form.show_params(self._params_of(method.id))
+        self._offer_donors()
+        self.ways_changed.emit()
+
+    def _params_of(self, method: str) -> Any:
+        return self._params.get(method, METHODS[method].params())
+
+    def _take_params(self) -> None:
+        way = self.method()
+        self._params[way.method] = way.params
+        self.ways_changed.emit()
+
+    def _pick(self, marker: int) -> None:
+        """Take a marker that was clicked as a donor, or no longer."""
+        gap = self._view.gap
+        if gap is None or marker != gap.marker:
+            self._form.pick(self._document.original.labels[marker])
 
     def _offer_donors(self) -> None:
         """Let the other selected markers be taken over as donors."""
         gap, labels = self._view.gap, self._document.original.labels
         own = None if gap is None else gap.marker
         self._form.set_selection([labels[m] for m in self._view.selection if m != own])
-
-    def _announce(self) -> None:
-        self.method_chosen.emit(*self.method())
 
     def _show_gap(self) -> None:
         gap, preview = self._view.gap, self._view.preview
@@ -255,6 +250,8 @@ class RepairPanel(QScrollArea):
             text = self.tr("No marker is missing anywhere: there is nothing to fill.")
         elif gap is None:
             text = self.tr("Press N for the next gap, or click one on the timeline.")
+        elif gap in self._document.never_of(gap.marker):
+            text = self.tr("<b>Never to be filled.</b> Shift+X makes it a gap again.")
         elif repair is not None:
             text = self.tr("Repaired with <b>{0}</b>").format(method_label(repair.method))
             text += "<br>" + self._error_text(repair.patch) + self._donors_text(repair.donors)
@@ -281,18 +278,24 @@ class RepairPanel(QScrollArea):
             if gap.length == 1
             else self.tr("frames {0} to {1}\n{2} frames").format(first, last, gap.length)
         )
-        return self.tr("{0}: {1} ({2} ms){3}").format(
+        text = self.tr("{0}: {1} ({2} ms){3}").format(
             self._document.names[gap.marker],
             frames,
             round(1000.0 * gap.length / original.rate),
             places[gap.kind(original.frames)],
         )
+        before, after = hidden(self._document, gap)
+        if before or after:
+            text += "\n" + self.tr("{0} + {1} measured frames at its ends cut off").format(
+                before, after
+            )
+        return text
 
     def _preview_text(self, preview: Preview) -> str:
         if preview.patch is None:
             return self.tr("<b>Stays open:</b> {0}").format(escape(preview.reason))
         text = self._error_text(preview.patch)
-        limit = self.max_error_mm()
+        limit = self.limits.max_error_mm()
         if preview.patch.expected_error * self._document.original.mm > limit:
             text += "<br>" + self.tr("<b>⚠ Above the limit of {0} mm</b>").format(f"{limit:g}")
         text += self._donors_text(preview.donors)

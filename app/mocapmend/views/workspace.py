@@ -13,29 +13,37 @@ from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.files import C3DFile
-from mocapmend.jobs import Job, Jobs
+from mocapmend.jobs import Jobs
 from mocapmend.journal import Recorder
-from mocapmend.navigation import in_time_order, neighbour
+from mocapmend.navigation import in_time_order
+from mocapmend.prospects import Prospects
 from mocapmend.report import About
-from mocapmend.settings import LAYOUT, Settings
+from mocapmend.settings import LAYOUT, RANKING, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
+from mocapmend.views.filling import Filling
+from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.marker_table import MarkerTable
+from mocapmend.views.plan_pane import PlanPane
 from mocapmend.views.player import Player
 from mocapmend.views.plot_pane import PlotPane
 from mocapmend.views.previewer import Previewer
+from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
+from mocapmend.views.survey import Survey
 from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
-from mocapmend_algorithms.fill.contract import FillResult, Unfilled
-from mocapmend_algorithms.fill.limits import Limits, default_frames
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.contract import Unfilled
+from mocapmend_algorithms.fill.limits import default_frames
 from mocapmend_algorithms.fill.registry import method_label
 
-LAYOUT_VERSION = 2
+LAYOUT_VERSION = 3
+NEVER_FILLED = "it is marked as never to be filled"
 TAB_HEIGHT = 36
 
 
@@ -71,7 +79,10 @@ class Workspace(QMainWindow):
         original = document.original
         self.view = ViewState(original.frames, self)
         self.player = Player(self.view, original.rate, self)
-        self.previewer = Previewer(document, self.view, jobs, self)
+        self.prospects = Prospects()
+        self.survey = Survey(document, self.prospects, jobs, self)
+        self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
+        self.filling = Filling(document, self.prospects, self.survey, jobs, self.push, self)
         self.scene = Scene(document, self.view, theme)
         self.plots = PlotPane(document, self.view, settings, theme, actions)
         self.trajectories = self.plots.trajectories
@@ -79,6 +90,9 @@ class Workspace(QMainWindow):
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
+        self.queue = QueuePane(document, self.view, self.prospects, self.survey, settings)
+        self.gap_actions = GapActions(document, self.view, self.queue, self.push, self)
+        self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.report = ReportPane(document, self.view, jobs, theme, actions)
         source = document.source
         self.analog: AnalogPane | None = None
@@ -86,26 +100,33 @@ class Workspace(QMainWindow):
             self.analog = AnalogPane(source, self.view, jobs, theme)
             self.analog.failed.connect(self.failed)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
-        self._left_open: tuple[Unfilled, ...] = ()
+        self._first: Gap | None = None
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._panes: list[QDockWidget] = []
         self._first_layout = QByteArray()
-        self._filling: Job | None = None
         self._arrange()
-        self.repair.method_chosen.connect(self.previewer.choose)
+        self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
-        self.previewer.choose(*self.repair.method())
+        self.filling.started.connect(lambda: self.repair.show_filling(running=True))
+        self.filling.ended.connect(lambda: self.repair.show_filling(running=False))
+        self.filling.done.connect(self._show_done)
+        self.survey.advanced.connect(self._lead)
+        self._preview()
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
         document.undo_stack.cleanChanged.connect(self.recorder.export)
         document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
-        for part in (self.previewer, self.report):
+        for part in (self.previewer, self.report, self.survey, self.filling):
             part.failed.connect(self.failed)
+        self.gap_actions.message.connect(self.message)
+        self.filling.message.connect(self.message)
         self._show_proof()
         self._show_first_gap()
+        if settings.get(RANKING):
+            self.survey.start()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -118,12 +139,12 @@ class Workspace(QMainWindow):
         """End what goes on by itself: the document is going away."""
         self.player.pause()
         self.previewer.stop()
+        self.survey.stop()
+        self.filling.stop()
         self.report.stop()
         if self.analog is not None:
             self.analog.stop()
         self.recorder.discard()
-        if self._filling is not None:
-            self._filling.abandon()
 
     def panes(self) -> list[QDockWidget]:
         """Return the panes around the middle, in the order in which they were made."""
@@ -161,101 +182,45 @@ class Workspace(QMainWindow):
 
     # --- gaps --------------------------------------------------------------------------------
 
-    def step_gap(self, step: int, *, same_marker: bool = False) -> None:
-        """Go to the next (1) or previous (-1) open gap."""
-        document, view = self.document, self.view
-        gaps = document.gaps
-        if same_marker and view.marker is not None:
-            gaps = document.gaps_of(view.marker)
-        ordered = in_time_order(gaps, document.original.frames)
-        start, marker = view.frame, -1
-        if view.gap is not None and view.gap.start <= view.frame < view.gap.stop:
-            start, marker = view.gap.start, view.gap.marker
-        gap = neighbour(ordered, start, marker, step)
-        if gap is None:
-            self.message.emit(self.tr("No gap is left to go to."))
-        else:
-            view.go_to(gap)
-
-    def apply_preview(self) -> None:
-        """Make the previewed repair an undoable edit."""
-        preview = self.view.preview
-        if preview is None:
-            self.message.emit(self.tr("There is no preview to apply: choose a gap first (N)."))
-            return
-        if preview.patch is None:
-            self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
-            return
-        edit = Edit.fill(preview.patch, preview.method, preview.params, preview.donors)
-        label = self.document.names[preview.gap.marker]
-        self.push([edit], self.tr("fill {0} ({1})").format(label, preview.method))
-
-    def apply_and_go_on(self) -> None:
-        """Apply the previewed repair and go to the next gap."""
-        before = self.document.revision
-        self.apply_preview()
-        if self.document.revision != before:
-            self.step_gap(1)
-
-    def clear_fill(self) -> None:
-        """Turn the current gap's repair back into a gap."""
-        gap = self.view.gap
-        if gap is not None and gap in self.document.repairs:
-            label = self.document.names[gap.marker]
-            self.push([Edit.clear(gap)], self.tr("clear the repair of {0}").format(label))
-        else:
-            self.message.emit(self.tr("There is no repair here."))
-
     def fill_all(self) -> None:
         """Fill every gap within the limits, in one undoable step."""
-        if self._filling is not None:
-            return
-        document = self.document
-        method, params = self.repair.method()
-        limits = Limits(max_gap=self.repair.max_gap(), max_error_mm=self.repair.max_error_mm())
-        gaps = [gap for gap in document.gaps if gap.length < document.original.frames]
-        job = self._jobs.compute(
-            self.tr("Fill all gaps"),
-            engine.fill,
-            document.share_original(),
-            gaps,
-            method,
-            params,
-            limits,
-        )
-        job.finished.connect(lambda result: self._accept_all(method, params, result))
-        job.failed.connect(self.failed)
-        job.cancelled.connect(lambda: self.message.emit(self.tr("Cancelled: nothing was filled.")))
-        job.ended.connect(self._end_filling)
-        self._filling = job
-        self.repair.show_filling(running=True)
+        self.filling.fill_all(self.repair.method(), self.repair.limits.limits())
 
-    def _end_filling(self) -> None:
-        self._filling = None
-        self.repair.show_filling(running=False)
+    def show_plan(self) -> None:
+        """Show what filling all gaps would do."""
+        self.show_pane(self.plan)
+        self.plan.compute()
 
-    def _accept_all(self, method: str, params: object, result: FillResult) -> None:
-        """Take what was filled; gaps that the user has repaired meanwhile stay as they are."""
-        still_open = set(self.document.gaps)
-        result = FillResult(
-            tuple(patch for patch in result.patches if patch.gap in still_open),
-            tuple(entry for entry in result.unfilled if entry.gap in still_open),
-            result.notes,
-        )
-        self._left_open = result.unfilled
-        filled, left = len(result.patches), len(result.unfilled)
-        if filled:
-            edits = Edit.fills(result, method, params)
-            self.push(edits, self.tr("fill {0} gaps ({1})").format(filled, method))
+    def set_comparing(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        """Compare several repairs of the current gap, or show the chosen one alone."""
+        self.repair.set_comparing(on)
+
+    def pick_donors(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        """Let clicks on markers choose donors."""
+        if on and not self.repair.takes_donors:
+            self.message.emit(self.tr("This method takes no donors."))
+        self.view.set_picking(on and self.repair.takes_donors)
+
+    def _show_done(self, filled: int, left: int) -> None:
         text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
         self.repair.show_outcome(text, open_gaps=bool(left))
-        self.message.emit(text)
 
     def _forget_outcome(self) -> None:
         self.repair.show_outcome("", open_gaps=False)
 
     def _show_left_open(self) -> None:
-        left_open_dialog(self, self.document.original, self._left_open, self.view.go_to).show()
+        unfilled = [Unfilled(*entry) for entry in self.document.left_open.items()]
+        left_open_dialog(self, self.document.original, unfilled, self.view.go_to).show()
+
+    def _preview(self) -> None:
+        self.previewer.choose(self.repair.method(), self.repair.compared())
+
+    def _lead(self) -> None:
+        """Begin at the worst gap that is known, unless the user has begun already."""
+        worst = self.queue.worst()
+        untouched = self.view.gap == self._first and not self.document.undo_stack.count()
+        if self.survey.portions == 1 and untouched and worst is not None:
+            self._show_gap(worst)
 
     def push(self, edits: list[Edit], text: str) -> None:
         """Make edits, in one undoable step."""
@@ -280,12 +245,17 @@ class Workspace(QMainWindow):
             and original.present[gap.start].mean() > 0.5
         ]
         gap = max(within, key=lambda gap: gap.length, default=None)
+        self._first = gap
         if gap is not None:
-            self.view.select((gap.marker,))
-            self.view.set_gap(gap)
-            self.view.set_frame((gap.start + gap.stop - 1) // 2)
+            self._show_gap(gap)
         elif original.markers:
             self.view.select((0,))
+
+    def _show_gap(self, gap: Gap) -> None:
+        """Show a gap with the whole recording around it."""
+        self.view.select((gap.marker,))
+        self.view.set_gap(gap)
+        self.view.set_frame((gap.start + gap.stop - 1) // 2)
 
     def saved_as(self, exported: engine.Exported, *, complete: bool) -> None:
         """Take note that a file now holds the edits: all of them, or those of a while ago."""
@@ -322,8 +292,9 @@ class Workspace(QMainWindow):
             earlier=sum(map(document.is_earlier, document.repairs)),
             proof=() if proof is None else proof.sentences,
         )
-        still_open = set(document.gaps)
-        unfilled = [entry for entry in self._left_open if entry.gap in still_open]
+        left = document.left_open
+        unfilled = [Unfilled(gap, left[gap]) for gap in document.gaps if gap in left]
+        unfilled += [Unfilled(gap, NEVER_FILLED) for gap in document.never]
         return (
             document.original,
             document.snapshot(),
@@ -376,7 +347,8 @@ class Workspace(QMainWindow):
         corners = Qt.Corner
         self.setCorner(corners.BottomLeftCorner, areas.BottomDockWidgetArea)
         self.setCorner(corners.BottomRightCorner, areas.BottomDockWidgetArea)
-        self._dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
+        markers = self._dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
+        queue = self._dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
         self._dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
         timeline = self._dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
@@ -384,18 +356,20 @@ class Workspace(QMainWindow):
         repairs = self._dock(
             "repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea
         )
+        plan = self._dock("plan", self.tr("Plan"), self.plan, areas.BottomDockWidgetArea)
         report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        tabs = [timeline, repairs, report]
+        bottom = [timeline, plan, repairs, report]
         if self.analog is not None:
-            tabs.append(
+            bottom.append(
                 self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             )
-        for tabbed in tabs:
-            # The tab says the name already.
-            tabbed.setTitleBarWidget(QWidget())
-        for one, other in pairwise(tabs):
-            self.tabifyDockWidget(one, other)
-        timeline.raise_()
+        for tabs in ([queue, markers], bottom):
+            for before, tab in pairwise(tabs):
+                self.tabifyDockWidget(before, tab)
+            for tab in tabs:
+                # The tab says the name already.
+                tab.setTitleBarWidget(QWidget())
+            tabs[0].raise_()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -404,8 +378,8 @@ class Workspace(QMainWindow):
             QTimer.singleShot(0, self, self._size_panes)
 
     def _size_panes(self) -> None:
-        markers, repair, timeline, *_ = self._panes
-        self.resizeDocks([markers, repair], [310, 280], Qt.Orientation.Horizontal)
+        markers, _, repair, timeline, *_ = self._panes
+        self.resizeDocks([markers, repair], [320, 280], Qt.Orientation.Horizontal)
         height = self.timeline.sizeHint().height() + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self._first_layout = self.saveState(LAYOUT_VERSION)

@@ -1,0 +1,102 @@
+"""The gaps of a recording as a list of problems, the most harmful first. No Qt."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+
+from mocapmend.engine import fill_anyway
+from mocapmend.prospects import Preview, Prospects, Way
+from mocapmend_algorithms import Gap, Progress, Recording
+from mocapmend_algorithms.progress import part
+
+METHODS = ("auto", "local-frame", "pca-r2", "cubic")
+"""Tried on every gap, one after another: quick ones of each kind that are often the best."""
+
+
+class Status(IntEnum):
+    """What has become of a gap."""
+
+    OPEN = 0
+    LEFT = 1
+    """Left open, by the limits or by the user."""
+    REPAIRED = 2
+    NEVER = 3
+    """Never to be filled."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A gap, what has become of it, and what it would cost.
+
+    Attributes
+    ----------
+    gap : Gap
+        Which.
+    status : Status
+        What has become of it.
+    best : Preview or None
+        The known repair with the least expected error; of a repaired gap the repair.
+    reason : str
+        Why it is left open.
+    tried : bool
+        Whether any repair was tried.
+    """
+
+    gap: Gap
+    status: Status
+    best: Preview | None = None
+    reason: str = ""
+    tried: bool = False
+
+    @property
+    def error(self) -> float:
+        """Expected 3-D RMS error in the recording's unit; NaN where unknown."""
+        return math.nan if self.best is None else self.best.expected_error
+
+    @property
+    def harm(self) -> float:
+        """Expected error times missing frames; NaN where unknown."""
+        return self.error * self.gap.length
+
+
+ORDERS: dict[str, Callable[[Problem], float]] = {
+    "status": lambda problem: problem.status,
+    "marker": lambda problem: problem.gap.marker,
+    "length": lambda problem: problem.gap.length,
+    "error": lambda problem: problem.error,
+    "harm": lambda problem: problem.harm,
+    "time": lambda problem: problem.gap.start,
+}
+"""What problems can be ordered by."""
+
+
+def ordered(
+    problems: Iterable[Problem], value: Callable[[Problem], float], *, falling: bool = False
+) -> list[Problem]:
+    """Return problems in the order of a value, unknown ones last, and of time where it is equal."""
+    by_time = sorted(problems, key=lambda problem: (problem.gap.start, problem.gap.marker))
+    known = [problem for problem in by_time if not math.isnan(value(problem))]
+    unknown = [problem for problem in by_time if math.isnan(value(problem))]
+    return sorted(known, key=value, reverse=falling) + unknown
+
+
+def rank(recording: Recording, gaps: Sequence[Gap], progress: Progress) -> list[Problem]:
+    """Try the `METHODS` on gaps, and return these with the most harmful first.
+
+    Parameters
+    ----------
+    recording : Recording
+        The measured samples.
+    gaps : sequence of Gap
+        Open ones.
+    progress : Progress
+        Called often; may cancel.
+    """
+    prospects = Prospects()
+    for number, name in enumerate(METHODS):
+        way = Way.default(name)
+        step = part(progress, number / len(METHODS), (number + 1) / len(METHODS))
+        prospects.add(way, gaps, fill_anyway(recording, gaps, *way, step))
+    found = [Problem(gap, Status.OPEN, prospects.best(gap), tried=True) for gap in gaps]
+    return ordered(found, ORDERS["harm"], falling=True)

@@ -1,0 +1,142 @@
+"""Filling all gaps: the dry run, the work in the background, one undoable step."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from mocapmend import engine
+from mocapmend.document import Document, Edit
+from mocapmend.jobs import Job, Jobs
+from mocapmend.prospects import Prospects, Way
+from mocapmend.views.survey import Survey
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.limits import Limits, hold_to
+from mocapmend_algorithms.fill.registry import METHODS
+
+
+class Filling(QObject):
+    """Fills the gaps of a document that a way can fill within limits.
+
+    Parameters
+    ----------
+    push : callable
+        Makes edits, in one undoable step of a given text.
+
+    Signals
+    -------
+    started, ended :
+        Something is being computed, or no longer.
+    computed :
+        More is known of what a way makes of the gaps.
+    done : int, int
+        So many gaps were filled, and so many stayed open.
+    """
+
+    message = Signal(str)
+    failed = Signal(object)
+    started = Signal()
+    ended = Signal()
+    computed = Signal()
+    done = Signal(int, int)
+
+    def __init__(
+        self,
+        document: Document,
+        prospects: Prospects,
+        survey: Survey,
+        jobs: Jobs,
+        push: Callable[[list[Edit], str], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._prospects = prospects
+        self._survey = survey
+        self._jobs = jobs
+        self._push = push
+        self._ranking = False
+        self.job: Job | None = None
+
+    def stop(self) -> None:
+        """Give up what is being computed: the document is going away."""
+        if self.job is not None:
+            self.job.abandon()
+
+    def gaps(self) -> list[Gap]:
+        """Return the gaps that can be repaired at all."""
+        frames = self._document.original.frames
+        return [gap for gap in self._document.gaps if gap.length < frames]
+
+    def planned(self, way: Way, limits: Limits) -> tuple[FillResult, list[Gap]]:
+        """Return what filling all gaps would do, and the gaps of which that is not known yet."""
+        every = self.gaps()
+        known, unknown = self._prospects.result(way, every)
+        too_long = {e.gap for e in self._held(way, limits, unknown, FillResult(())).unfilled}
+        missing = [gap for gap in unknown if gap not in too_long]
+        rest = set(missing)
+        gaps = [gap for gap in every if gap not in rest]
+        return self._held(way, limits, gaps, known), missing
+
+    def compute(self, way: Way, limits: Limits) -> None:
+        """Find out what filling all gaps would do."""
+        self._complete(way, limits, self.computed.emit)
+
+    def fill_all(self, way: Way, limits: Limits) -> None:
+        """Fill all gaps within the limits, in one undoable step."""
+        self._complete(way, limits, lambda: self._accept(way, limits))
+
+    def _complete(self, way: Way, limits: Limits, then: Callable[[], None]) -> None:
+        """Compute what is not known yet, and go on."""
+        if self.job is not None:
+            return
+        unknown = self.planned(way, limits)[1]
+        if not unknown:
+            then()
+            return
+        job = self._jobs.compute(
+            self.tr("Fill all gaps"),
+            engine.fill_anyway,
+            self._document.share_original(),
+            unknown,
+            *way,
+        )
+        job.finished.connect(lambda result: self._keep(way, unknown, result, then))
+        job.failed.connect(self.failed)
+        job.cancelled.connect(self._tell_cancelled)
+        job.ended.connect(self._end)
+        self.job = job
+        # Not both: the preview that the user waits for needs a worker.
+        self._ranking = self._survey.on
+        self._survey.stop()
+        self.started.emit()
+
+    def _keep(
+        self, way: Way, gaps: list[Gap], result: FillResult, then: Callable[[], None]
+    ) -> None:
+        self._prospects.add(way, gaps, result)
+        then()
+
+    def _tell_cancelled(self) -> None:
+        self.message.emit(self.tr("Cancelled: nothing was filled."))
+
+    def _end(self) -> None:
+        self.job = None
+        if self._ranking:
+            self._survey.start()
+        self.ended.emit()
+
+    def _accept(self, way: Way, limits: Limits) -> None:
+        """Take what is within the limits; gaps that were repaired meanwhile stay as they are."""
+        result, _ = self.planned(way, limits)
+        self._document.leave_open({entry.gap: entry.reason for entry in result.unfilled})
+        filled, left = len(result.patches), len(result.unfilled)
+        if filled:
+            edits = Edit.fills(result, *way)
+            self._push(edits, self.tr("fill {0} gaps ({1})").format(filled, way.method))
+        self.message.emit(self.tr("{0} gaps filled, {1} left open.").format(filled, left))
+        self.done.emit(filled, left)
+
+    def _held(self, way: Way, limits: Limits, gaps: list[Gap], known: FillResult) -> FillResult:
+        method = METHODS[way.method]
+        return hold_to(self._document.original, gaps, known, method, way.params, limits)

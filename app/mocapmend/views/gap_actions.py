@@ -1,0 +1,160 @@
+"""What the user does to the current gap."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from mocapmend.document import Document, Edit
+from mocapmend.navigation import in_time_order, neighbour, place
+from mocapmend.state import SampleState
+from mocapmend.trimming import resized, widened
+from mocapmend.views.queue_pane import QueuePane
+from mocapmend.viewstate import ViewState
+from mocapmend_algorithms import Gap
+
+
+class GapActions(QObject):
+    """Steps from gap to gap, applies the preview, and decides what is never filled.
+
+    Parameters
+    ----------
+    push : callable
+        Makes edits, in one undoable step of a given text.
+
+    Signals
+    -------
+    message : str
+        Something the user should read in passing.
+    """
+
+    message = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        view: ViewState,
+        queue: QueuePane,
+        push: Callable[[list[Edit], str], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._view = view
+        self._queue = queue
+        self._push = push
+
+    def step(self, step: int) -> None:
+        """Go to the next (1) or previous (-1) gap of the queue."""
+        if not self._queue.step(step):
+            self.message.emit(self.tr("No gap is left in the queue."))
+
+    def step_here(self, step: int) -> None:
+        """Go to the next (1) or previous (-1) open gap of the current marker, in time."""
+        document, view = self._document, self._view
+        gaps = document.gaps if view.marker is None else document.gaps_of(view.marker)
+        ordered = in_time_order(gaps, document.original.frames)
+        gap = neighbour(ordered, *place(view.gap, view.frame), step)
+        if gap is None:
+            self.message.emit(self.tr("No gap is left to go to."))
+        else:
+            view.go_to(gap)
+
+    def apply(self) -> bool:
+        """Make the previewed repair an undoable edit; say whether there was one."""
+        preview = self._view.preview
+        if preview is None:
+            self.message.emit(self.tr("There is no preview to apply: choose a gap first (N)."))
+            return False
+        if preview.patch is None:
+            self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
+            return False
+        edit = Edit.fill(preview.patch, preview.method, preview.params, preview.donors)
+        self._push(
+            [edit], self.tr("fill {0} ({1})").format(self._name(preview.gap), preview.method)
+        )
+        return True
+
+    def apply_and_go_on(self) -> None:
+        """Apply the previewed repair and go to the next gap."""
+        if self.apply():
+            self.step(1)
+
+    def reopen(self) -> None:
+        """Turn the current gap's repair back into a gap."""
+        gap = self._view.gap
+        if gap is not None and gap in self._document.repairs:
+            text = self.tr("clear the repair of {0}").format(self._name(gap))
+            self._push([Edit.clear(gap)], text)
+        else:
+            self.message.emit(self.tr("There is no repair here."))
+
+    def leave_open(self) -> None:
+        """Leave the current gap open and go to the next; or take it up again."""
+        gap = self._open_gap()
+        if gap is None:
+            return
+        if gap in self._document.left_open:
+            self._document.take_up(gap)
+            self.message.emit(self.tr("The gap is open again."))
+        else:
+            self._document.leave_open({gap: self.tr("left open by hand")})
+            self.step(1)
+
+    def never_fill(self) -> None:
+        """Protect the current gap, or the selection's gaps in the selected time, from any fill.
+
+        Where all of them are protected already, they become gaps again.
+        """
+        gaps = self._chosen()
+        if not gaps:
+            self.message.emit(self.tr("There is no gap here."))
+            return
+        open_gaps = [gap for gap in gaps if gap in self._document.gaps_of(gap.marker)]
+        if open_gaps:
+            edits = [Edit.clear(gap, SampleState.NEVER) for gap in open_gaps]
+            text = self.tr("never fill {0} gaps").format(len(edits))
+        else:
+            edits = [Edit.clear(gap) for gap in gaps]
+            text = self.tr("allow to fill {0} gaps").format(len(edits))
+        self._push(edits, text)
+
+    def widen(self, frames: int) -> None:
+        """Move the ends of the current gap over measured samples, or back."""
+        gap = self._open_gap()
+        if gap is None:
+            return
+        wanted = widened(self._document, gap, frames)
+        if wanted == gap:
+            self.message.emit(self.tr("The ends of this gap go no further."))
+            return
+        self._push(
+            [resized(self._document, gap, wanted)],
+            self.tr("move the ends of a gap of {0}").format(self._name(gap)),
+        )
+        self._view.set_gap(wanted)
+
+    def _open_gap(self) -> Gap | None:
+        gap = self._view.gap
+        if gap is not None and gap in self._document.gaps_of(gap.marker):
+            return gap
+        self.message.emit(self.tr("There is no open gap here."))
+        return None
+
+    def _chosen(self) -> list[Gap]:
+        """Return the current gap, or all gaps of the selected markers in the selected time."""
+        document, gap = self._document, self._view.gap
+        span: tuple[int, int] | None = getattr(self._view, "span", None)
+        if span is None:
+            known = gap is not None and (
+                gap in document.gaps_of(gap.marker) or gap in document.never_of(gap.marker)
+            )
+            return [gap] if known and gap is not None else []
+        return [
+            other
+            for marker in self._view.selection
+            for other in (*document.gaps_of(marker), *document.never_of(marker))
+            if other.start < span[1] and other.stop > span[0]
+        ]
+
+    def _name(self, gap: Gap) -> str:
+        return self._document.names[gap.marker]

@@ -1,0 +1,293 @@
+"""The problems of a document as a table, filtered and in an order."""
+
+import math
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QAbstractTableModel, QObject, Qt, Signal
+
+from mocapmend.document import Document, Repair
+from mocapmend.prospects import Preview, Prospects
+from mocapmend.ranking import ORDERS, Problem, Status, ordered
+from mocapmend.views.marker_table import NO_PARENT, Index
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.fill.registry import method_label
+
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+CENTRE = Qt.AlignmentFlag.AlignCenter
+
+
+class Column(IntEnum):
+    """Of the table, from left to right."""
+
+    STATUS = 0
+    MARKER = 1
+    FRAMES = 2
+    ERROR = 3
+    HARM = 4
+    MS = 5
+    METHOD = 6
+    CONTEXT = 7
+    PLACE = 8
+
+
+_ORDER_OF = {
+    Column.STATUS: "status", Column.MARKER: "marker", Column.FRAMES: "length",
+    Column.ERROR: "error", Column.HARM: "harm", Column.MS: "length", Column.PLACE: "time",
+}  # fmt: skip
+GLYPHS = {Status.OPEN: "○", Status.LEFT: "◐", Status.REPAIRED: "●", Status.NEVER: "⊘"}
+
+
+@dataclass(frozen=True)
+class Filter:
+    """Which problems are listed.
+
+    Attributes
+    ----------
+    text : str
+        Part of the marker's name.
+    status : frozenset of Status
+        What may have become of them.
+    shortest_ms, longest_ms : float
+        Bounds of the length: longer than the first, up to the second.
+    """
+
+    text: str = ""
+    status: frozenset[Status] = frozenset({Status.OPEN})
+    shortest_ms: float = 0.0
+    longest_ms: float = math.inf
+
+
+class QueueModel(QAbstractTableModel):
+    """One row per problem that passes the filter."""
+
+    changed = Signal()
+
+    def __init__(
+        self, document: Document, prospects: Prospects, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._prospects = prospects
+        self._filter = Filter()
+        self._order = (Column.HARM, True)
+        self._rows: list[Problem] = []
+        self._row_of: dict[Gap, int] = {}
+        self._titles = {
+            Column.STATUS: "",
+            Column.MARKER: self.tr("Marker"),
+            Column.FRAMES: self.tr("Frames"),
+            Column.ERROR: self.tr("Error"),
+            Column.HARM: self.tr("Harm"),
+            Column.MS: self.tr("ms"),
+            Column.METHOD: self.tr("Best"),
+            Column.CONTEXT: self.tr("Context"),
+            Column.PLACE: self.tr("Place"),
+        }
+        self._tips = {
+            Column.STATUS: self.tr("What has become of the gap"),
+            Column.FRAMES: self.tr("Missing frames"),
+            Column.ERROR: self.tr("Expected error of the best repair that was tried, in mm"),
+            Column.HARM: self.tr("Expected error times missing frames: what comes first is worst"),
+            Column.METHOD: self.tr("The method with the least expected error"),
+            Column.CONTEXT: self.tr(
+                "Where the gap lies, and how many other markers are missing in its middle"
+            ),
+            Column.PLACE: self.tr("First and last missing frame"),
+        }
+        self._missing = np.count_nonzero(~document.original.present, axis=1)
+        self.refresh()
+
+    # --- what is listed ----------------------------------------------------------------------
+
+    @property
+    def gaps(self) -> list[Gap]:
+        """The gaps that are listed, in their order."""
+        return [problem.gap for problem in self._rows]
+
+    @property
+    def by_time(self) -> bool:
+        """Whether the list is in the order of time: chosen so, or because nothing else is known."""
+        column, falling = self._order
+        unknown = column in (Column.HARM, Column.ERROR) and not any(
+            problem.tried for problem in self._rows
+        )
+        return unknown or (column == Column.PLACE and not falling)
+
+    def row_of(self, gap: Gap) -> int | None:
+        """Return the row of a gap."""
+        return self._row_of.get(gap)
+
+    def problem(self, row: int) -> Problem:
+        """Return what is listed in a row."""
+        return self._rows[row]
+
+    def set_filter(self, chosen: Filter) -> None:
+        """List other problems."""
+        self._filter = chosen
+        self.refresh()
+
+    def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
+        if 0 <= column < len(Column):
+            self._order = (Column(column), order == Qt.SortOrder.DescendingOrder)
+            self.refresh()
+
+    def refresh(self) -> None:
+        """List the problems anew."""
+        column, falling = self._order
+        shown = [problem for problem in self._problems() if self._passes(problem)]
+        self.beginResetModel()
+        if column in _ORDER_OF:
+            self._rows = ordered(shown, ORDERS[_ORDER_OF[column]], falling=falling)
+        else:
+            by_time = ordered(shown, ORDERS["time"])
+            self._rows = sorted(by_time, key=lambda p: self._text(p, column), reverse=falling)
+        self._row_of = {problem.gap: row for row, problem in enumerate(self._rows)}
+        self.endResetModel()
+        self.changed.emit()
+
+    def _problems(self) -> list[Problem]:
+        document, frames = self._document, self._document.original.frames
+        found = [
+            Problem(
+                gap,
+                Status.LEFT if gap in document.left_open else Status.OPEN,
+                self._prospects.best(gap),
+                document.left_open.get(gap, ""),
+                self._prospects.tried(gap),
+            )
+            for gap in document.gaps
+            if gap.length < frames
+        ]
+        for gap, repair in document.repairs.items():
+            found.append(Problem(gap, Status.REPAIRED, _made(gap, repair), tried=True))
+        found += [Problem(gap, Status.NEVER, tried=True) for gap in document.never]
+        return found
+
+    def _passes(self, problem: Problem) -> bool:
+        chosen = self._filter
+        if problem.status not in chosen.status:
+            return False
+        if not chosen.shortest_ms < self._ms(problem.gap) <= chosen.longest_ms:
+            return False
+        return chosen.text.casefold() in self._document.names[problem.gap.marker].casefold()
+
+    # --- Qt's questions ----------------------------------------------------------------------
+
+    def rowCount(self, parent: Index = NO_PARENT) -> int:
+        return 0 if parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: Index = NO_PARENT) -> int:
+        return 0 if parent.isValid() else len(Column)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._titles[Column(section)]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tips.get(Column(section))
+        return _alignment(Column(section)) if role == Qt.ItemDataRole.TextAlignmentRole else None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        problem, column = self._rows[index.row()], Column(index.column())
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(problem, column)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _alignment(column)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(problem)
+        if role == Qt.ItemDataRole.AccessibleTextRole and column == Column.STATUS:
+            return self.status_text(problem.status)
+        return None
+
+    def status_text(self, status: Status) -> str:
+        """Return what a status is called."""
+        return {
+            Status.OPEN: self.tr("open"),
+            Status.LEFT: self.tr("left open"),
+            Status.REPAIRED: self.tr("repaired"),
+            Status.NEVER: self.tr("never to be filled"),
+        }[status]
+
+    def _text(self, problem: Problem, column: Column) -> str:
+        gap, mm = problem.gap, self._document.original.mm
+        match column:
+            case Column.STATUS:
+                return GLYPHS[problem.status]
+            case Column.MARKER:
+                return self._document.names[gap.marker]
+            case Column.FRAMES:
+                return str(gap.length)
+            case Column.ERROR:
+                return self._error_text(problem)
+            case Column.HARM:
+                return "" if math.isnan(problem.harm) else f"{problem.harm * mm:.0f}"
+            case Column.MS:
+                return f"{self._ms(gap):.0f}"
+            case Column.METHOD:
+                return "" if problem.best is None else problem.best.method
+            case Column.CONTEXT:
+                return self._context(gap)
+            case Column.PLACE:
+                first, last = self._numbers(gap)
+                return str(first) if first == last else f"{first} – {last}"
+
+    def _error_text(self, problem: Problem) -> str:
+        if not problem.tried:
+            return "…"
+        error = problem.error * self._document.original.mm
+        return "?" if math.isnan(error) else f"{error:.1f}"
+
+    def _context(self, gap: Gap) -> str:
+        others = int(self._missing[(gap.start + gap.stop - 1) // 2]) - 1
+        match gap.kind(self._document.original.frames):
+            case "leading":
+                text = self.tr("start, {0} more missing")
+            case "trailing":
+                text = self.tr("end, {0} more missing")
+            case _:
+                text = self.tr("inside, {0} more missing")
+        return text.format(max(0, others))
+
+    def _tip(self, problem: Problem) -> str:
+        gap, best = problem.gap, problem.best
+        first, last = self._numbers(gap)
+        lines = [
+            self.tr("{0}, frames {1} to {2}: {3}").format(
+                self._document.original.labels[gap.marker],
+                first,
+                last,
+                self.status_text(problem.status),
+            )
+        ]
+        if problem.reason:
+            lines.append(problem.reason)
+        if best is not None:
+            lines.append(method_label(best.method))
+        elif problem.tried and problem.status in (Status.OPEN, Status.LEFT):
+            lines.append(self.tr("No repair that was tried could be tested here"))
+        return "\n".join(lines)
+
+    def _numbers(self, gap: Gap) -> tuple[int, int]:
+        first = self._document.original.first_frame
+        return gap.start + first, gap.stop - 1 + first
+
+    def _ms(self, gap: Gap) -> float:
+        return 1000.0 * gap.length / self._document.original.rate
+
+
+def _made(gap: Gap, repair: Repair) -> Preview:
+    return Preview(gap, repair.method, repair.params, repair.patch, donors=repair.donors)
+
+
+def _alignment(column: Column) -> Qt.AlignmentFlag:
+    if column == Column.STATUS:
+        return CENTRE
+    numbers = (Column.FRAMES, Column.ERROR, Column.HARM, Column.MS)
+    return RIGHT if column in numbers else LEFT

@@ -1,0 +1,275 @@
+"""The queue: every gap, the most harmful first; the place to go from one to the next."""
+
+import math
+from typing import NamedTuple
+
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt, QTimer
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QStackedLayout,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from mocapmend.document import Document
+from mocapmend.navigation import neighbour, place
+from mocapmend.prospects import Prospects
+from mocapmend.ranking import Status
+from mocapmend.settings import RANKING, Settings
+from mocapmend.views.labels import LabelDelegate
+from mocapmend.views.queue_model import Column, Filter, QueueModel
+from mocapmend.views.survey import Survey
+from mocapmend.views.tables import dress
+from mocapmend.viewstate import ViewState
+from mocapmend_algorithms import Gap
+
+DELAY_MS = 60
+"""Edits and portions of the survey that come together make one new list."""
+SECOND = 1000.0
+SHORT = 200.0
+
+
+class _Choice(NamedTuple):
+    """An entry of a filter's list."""
+
+    text: str
+    value: object
+
+
+class QueuePane(QWidget):
+    """Lists the problems of a document and steps through them."""
+
+    def __init__(
+        self,
+        document: Document,
+        view: ViewState,
+        prospects: Prospects,
+        survey: Survey,
+        settings: Settings,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._view = view
+        self._survey = survey
+        self._settings = settings
+        self._following = False
+        self._place = -1
+        """Row of the current gap when it was last listed: what comes next is there."""
+        self.model = QueueModel(document, prospects, self)
+        self.table = self._make_table()
+        self.filter = QLineEdit()
+        self.filter.setPlaceholderText(self.tr("Filter markers"))
+        self.filter.setAccessibleName(self.tr("Filter the queue by marker"))
+        self.filter.setClearButtonEnabled(True)
+        self.filter.textChanged.connect(self._set_filter)
+        self.status = self._make_combo(self.tr("Status"), self._statuses())
+        self.length = self._make_combo(self.tr("Length of the gaps"), self._lengths())
+        self.rank = QCheckBox(self.tr("Rank"))
+        self.rank.setToolTip(
+            self.tr("Try repairs on all gaps in the background, so that the worst come first")
+        )
+        self.rank.setChecked(settings.get(RANKING))
+        self.rank.toggled.connect(self._switch_ranking)
+        self._said = QLabel()
+        self._empty = QLabel()
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
+        self._arrange()
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(DELAY_MS)
+        self._timer.timeout.connect(self.model.refresh)
+        self.model.modelReset.connect(self._show)
+        document.samples_changed.connect(self._timer.start)
+        document.left_open_changed.connect(self._timer.start)
+        survey.advanced.connect(self._timer.start)
+        view.gap_changed.connect(self._follow)
+        self.setFocusProxy(self.table)
+        self._show()
+
+    def step(self, step: int) -> bool:
+        """Go to the next (1) or previous (-1) problem of the list; say whether there is one.
+
+        In a list by time that is the next from the playhead.
+        """
+        self._catch_up()
+        gaps = self.model.gaps
+        if not gaps:
+            return False
+        if self.model.by_time:
+            gap = neighbour(gaps, *place(self._view.gap, self._view.frame), step)
+            self._view.go_to(gap or gaps[0])
+            return True
+        row = None if self._view.gap is None else self.model.row_of(self._view.gap)
+        if row is not None:
+            target = row + step
+        elif self._place < 0:
+            target = 0 if step > 0 else -1
+        else:
+            # The current one has left the list, and the next has taken its place.
+            target = self._place + min(step, 0)
+        self._view.go_to(gaps[target % len(gaps)])
+        return True
+
+    def worst(self) -> Gap | None:
+        """Return the first problem of the list."""
+        self._catch_up()
+        gaps = self.model.gaps
+        return gaps[0] if gaps else None
+
+    def _catch_up(self) -> None:
+        """List now what would be listed in a moment."""
+        if self._timer.isActive():
+            self._timer.stop()
+            self.model.refresh()
+
+    # --- parts -------------------------------------------------------------------------------
+
+    def _statuses(self) -> tuple[_Choice, ...]:
+        return (
+            _Choice(self.tr("Open"), frozenset({Status.OPEN})),
+            _Choice(self.tr("Left open"), frozenset({Status.LEFT})),
+            _Choice(self.tr("Repaired"), frozenset({Status.REPAIRED})),
+            _Choice(self.tr("Never to be filled"), frozenset({Status.NEVER})),
+            _Choice(self.tr("All"), frozenset(Status)),
+        )
+
+    def _lengths(self) -> tuple[_Choice, ...]:
+        return (
+            _Choice(self.tr("Any length"), (0.0, math.inf)),
+            _Choice(self.tr("Up to 0.2 s"), (0.0, SHORT)),
+            _Choice(self.tr("0.2 to 1 s"), (SHORT, SECOND)),
+            _Choice(self.tr("Above 1 s"), (SECOND, math.inf)),
+        )
+
+    def _make_combo(self, name: str, choices: tuple[_Choice, ...]) -> QComboBox:
+        combo = QComboBox()
+        for choice in choices:
+            combo.addItem(choice.text, choice.value)
+        combo.setAccessibleName(name)
+        combo.setToolTip(name)
+        combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        combo.setMinimumContentsLength(6)
+        combo.currentIndexChanged.connect(self._set_filter)
+        return combo
+
+    def _make_table(self) -> QTableView:
+        table = QTableView()
+        table.setModel(self.model)
+        table.setSortingEnabled(True)
+        table.sortByColumn(Column.HARM, Qt.SortOrder.DescendingOrder)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        table.setAccessibleName(self.tr("Queue of gaps"))
+        dress(table)
+        table.setItemDelegateForColumn(Column.MARKER, LabelDelegate(table))
+        advance = table.fontMetrics().horizontalAdvance
+        header = table.horizontalHeader()
+        header.setMinimumSectionSize(20)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.setStretchLastSection(True)
+        widest = {
+            Column.STATUS: "⊘",
+            Column.MARKER: "MMMMMMMM",
+            Column.FRAMES: "0000",
+            Column.ERROR: "000.0",
+            Column.HARM: "00000",
+            Column.MS: "00000",
+            Column.METHOD: "bone-dictionary",
+            Column.CONTEXT: self.tr("inside, {0} more missing"),
+            Column.PLACE: "000000 – 000000",
+        }
+        for column, text in widest.items():
+            title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
+            header.resizeSection(column, max(advance(text), advance(title) + 10) + 12)
+        table.clicked.connect(self._go_to)
+        table.selectionModel().selectionChanged.connect(self._lead)
+        return table
+
+    def _arrange(self) -> None:
+        tops = QHBoxLayout()
+        tops.addWidget(self.filter, 1)
+        tops.addWidget(self.status)
+        tops.addWidget(self.length)
+        middle = QWidget()
+        self._pages = QStackedLayout(middle)
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(self.table)
+        bottom = QHBoxLayout()
+        bottom.addWidget(self._said, 1)
+        bottom.addWidget(self.rank)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addLayout(tops)
+        layout.addWidget(middle, 1)
+        layout.addLayout(bottom)
+
+    # --- what the user does ------------------------------------------------------------------
+
+    def _set_filter(self) -> None:
+        shortest, longest = self.length.currentData()
+        self._place = -1
+        self.model.set_filter(
+            Filter(self.filter.text(), self.status.currentData(), shortest, longest)
+        )
+
+    def _switch_ranking(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        self._settings.set(RANKING, on)
+        if on:
+            self._survey.start()
+        else:
+            self._survey.stop()
+        self._show_said()
+
+    def _go_to(self, index: QModelIndex) -> None:
+        self._view.go_to(self.model.problem(index.row()).gap)
+
+    def _lead(self) -> None:
+        """Go to the row that the user has marked by the keyboard."""
+        chosen = self.table.selectionModel().selectedRows()
+        if chosen and not self._following:
+            self._go_to(chosen[0])
+
+    # --- showing -----------------------------------------------------------------------------
+
+    def _show(self) -> None:
+        self._pages.setCurrentWidget(self.table if self.model.rowCount() else self._empty)
+        narrowed = self._document.gaps or self._document.repairs or self._document.never
+        self._empty.setText(
+            self.tr("No gap passes the filter.")
+            if narrowed
+            else self.tr("No marker is missing anywhere: there is nothing to fill.")
+        )
+        self._show_said()
+        self._follow(self._view.gap)
+
+    def _show_said(self) -> None:
+        done, all_gaps = self._survey.progress()
+        count = self.model.rowCount()
+        if self._survey.running and done < all_gaps:
+            text = self.tr("{0} gaps · ranked {1} of {2}").format(count, done, all_gaps)
+        else:
+            text = self.tr("{0} gaps").format(count)
+        self._said.setText(text)
+
+    def _follow(self, gap: Gap | None) -> None:
+        """Mark the current gap."""
+        row = None if gap is None else self.model.row_of(gap)
+        self._following = True
+        if row is None:
+            self.table.clearSelection()
+        else:
+            self._place = row
+            flags = QItemSelectionModel.SelectionFlag
+            place = self.model.index(row, 0)
+            self.table.selectionModel().setCurrentIndex(place, flags.ClearAndSelect | flags.Rows)
+            self.table.scrollTo(place)
+        self._following = False
