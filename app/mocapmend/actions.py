@@ -9,8 +9,8 @@ from PySide6.QtGui import QAction, QKeySequence
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
-Menu = Literal["File", "Edit", "Gaps", "Repair", "Play", "View", "Help"]
-MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Repair", "Play", "View", "Help")
+Menu = Literal["File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help"]
+MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help")
 
 
 @dataclass(frozen=True)
@@ -327,15 +327,11 @@ ACTIONS: tuple[ActionSpec, ...] = (
         checkable=True,
     ),
     ActionSpec(
-        "separate",
+        "zoom_in",
         "View",
-        QT_TRANSLATE_NOOP("Actions", "One set of plots per marker"),
-        ("S",),
-        checkable=True,
+        QT_TRANSLATE_NOOP("Actions", "Zoom in on the time axis"),
+        ("+", "="),
         starts_group=True,
-    ),
-    ActionSpec(
-        "zoom_in", "View", QT_TRANSLATE_NOOP("Actions", "Zoom in on the time axis"), ("+", "=")
     ),
     ActionSpec(
         "zoom_out", "View", QT_TRANSLATE_NOOP("Actions", "Zoom out on the time axis"), ("-",)
@@ -356,6 +352,13 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ),
     ActionSpec("show_queue", "View", QT_TRANSLATE_NOOP("Actions", "Go to the queue"), ("Ctrl+4",)),
     ActionSpec(
+        "show_analog",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the analog channels"),
+        ("Ctrl+5",),
+        "document",
+    ),
+    ActionSpec(
         "theme",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Light theme"),
@@ -363,6 +366,44 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "nothing",
         checkable=True,
         starts_group=True,
+    ),
+    ActionSpec("next_plots", "Plots", QT_TRANSLATE_NOOP("Actions", "Next set of plots"), ("V",)),
+    ActionSpec(
+        "previous_plots",
+        "Plots",
+        QT_TRANSLATE_NOOP("Actions", "Previous set of plots"),
+        ("Shift+V",),
+    ),
+    ActionSpec(
+        "plot_position",
+        "Plots",
+        QT_TRANSLATE_NOOP("Actions", "Position: x, y and z"),
+        checkable=True,
+        starts_group=True,
+    ),
+    ActionSpec("plot_speed", "Plots", QT_TRANSLATE_NOOP("Actions", "Speed"), checkable=True),
+    ActionSpec(
+        "plot_acceleration", "Plots", QT_TRANSLATE_NOOP("Actions", "Acceleration"), checkable=True
+    ),
+    ActionSpec("plot_residual", "Plots", QT_TRANSLATE_NOOP("Actions", "Residual"), checkable=True),
+    ActionSpec("plot_bone", "Plots", QT_TRANSLATE_NOOP("Actions", "Bone length"), checkable=True),
+    ActionSpec(
+        "next_bone", "Plots", QT_TRANSLATE_NOOP("Actions", "Next bone of the marker"), ("B",)
+    ),
+    ActionSpec(
+        "same_scale",
+        "Plots",
+        QT_TRANSLATE_NOOP("Actions", "Same scale for x, y and z"),
+        ("Y",),
+        checkable=True,
+        starts_group=True,
+    ),
+    ActionSpec(
+        "separate",
+        "Plots",
+        QT_TRANSLATE_NOOP("Actions", "One set of plots per marker"),
+        ("S",),
+        checkable=True,
     ),
     ActionSpec(
         "shortcuts",

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mocapmend.views.columns import Envelope, column_edges, columns_with
-from mocapmend.views.lane import ticks, value_range
+from mocapmend.views.lane import WIDEST_MARK, mark_text, ticks, value_range
 from mocapmend_algorithms.gaps import runs
 
 
@@ -47,34 +47,44 @@ def test_the_drawn_extremes_are_those_of_the_data(
     values[rng.random(frames) < 0.2] = np.nan
     start = share[0] * frames
     stop = min(frames, start + max(10.0, share[1] * frames))
+    places, lines = Envelope(np.ascontiguousarray(values.T)).lines(start, stop, width)
+    assert len(places) == lines.shape[1] <= max(4 * width + 8, 256)
+    reach = int(np.ceil((stop - start) / width)) + 3
     for axis in range(3):
-        line = Envelope(values).line(axis, start, stop, width)
-        seen = values[int(start) : int(stop), axis]
-        drawn = line[:, 1]
-        if np.isfinite(seen).any() and np.isfinite(drawn).any():
-            # A bucket may reach over the end by its own length, and the last is cut off.
-            reach = int(np.ceil((stop - start) / width)) + 130
-            inner = values[int(start) : max(int(start) + 1, int(stop) - reach), axis]
-            if np.isfinite(inner).any():
-                assert np.nanmax(drawn) >= np.nanmax(inner)
-                assert np.nanmin(drawn) <= np.nanmin(inner)
+        seen = values[int(start) : int(np.ceil(stop)), axis]
+        drawn = lines[axis]
+        assert np.isfinite(drawn).any() or not np.isfinite(seen).any()
+        if np.isfinite(seen).any():
+            assert np.nanmax(drawn) >= np.nanmax(seen)
+            assert np.nanmin(drawn) <= np.nanmin(seen)
             around = values[max(0, int(start) - reach) : int(stop) + reach, axis]
             assert np.nanmax(drawn) <= np.nanmax(around)
-        assert len(line) <= 8 * width + 300
+            assert np.nanmin(drawn) >= np.nanmin(around)
+
+
+def test_buckets_keep_their_places_while_the_range_moves() -> None:
+    rng = np.random.default_rng(0)
+    envelope = Envelope(rng.normal(size=(1, 50_000)))
+    before, values = envelope.lines(10_000, 30_000, 400)
+    after, moved = envelope.lines(10_016, 30_016, 400)
+    shared = np.isin(after, before)
+    assert shared.mean() > 0.9
+    np.testing.assert_array_equal(moved[0, shared], values[0, np.isin(before, after)])
 
 
 def test_missing_frames_break_the_line() -> None:
-    values = np.zeros((100, 3))
-    values[40:60] = np.nan
-    line = Envelope(values).line(0, 0, 100, 500)
-    assert np.isnan(line[(line[:, 0] >= 40) & (line[:, 0] < 60), 1]).all()
+    values = np.zeros((1, 100))
+    values[0, 40:60] = np.nan
+    places, lines = Envelope(values).lines(0, 100, 500)
+    assert np.isnan(lines[0, (places >= 40) & (places < 60)]).all()
+    assert np.isfinite(lines[0, (places < 40) | (places >= 60)]).all()
 
 
 @pytest.mark.parametrize("value", [0.0, 93.02, -1500.0])
 def test_the_axis_of_a_constant_has_few_digits(value: float) -> None:
     rng = np.random.default_rng(0)
     noise = 1e-12 * rng.standard_normal(50)
-    low, high = value_range([np.stack((np.arange(50.0), value + noise), axis=1)])
+    low, high = value_range([value + noise])
     assert low < value < high
     marks, decimals = ticks(low, high, 3)
     assert len(marks) >= 1
@@ -82,6 +92,12 @@ def test_the_axis_of_a_constant_has_few_digits(value: float) -> None:
 
 
 def test_the_axis_spans_what_varies_with_a_margin() -> None:
-    line = np.array([[0.0, 1.0], [1.0, np.nan], [2.0, 3.0]])
-    assert value_range([line]) == pytest.approx((0.84, 3.16))
+    assert value_range([np.array([1.0, np.nan]), np.array([3.0])]) == pytest.approx((0.84, 3.16))
     assert value_range([]) == (0.0, 1.0)
+    assert value_range([np.full(3, np.nan), np.empty(0)]) == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("mark", [0.0, -1234.5, 98_765_432.1, 0.000_012])
+def test_a_number_at_an_axis_fits_its_margin(mark: float) -> None:
+    for decimals in (0, 1, 6):
+        assert len(mark_text(mark, decimals)) <= len(WIDEST_MARK) + 1

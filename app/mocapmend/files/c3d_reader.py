@@ -1,6 +1,6 @@
 """Reading C3D files: every processor, integers and floats, every way to store 'missing'."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from io import FileIO
 from pathlib import Path
@@ -69,8 +69,17 @@ class C3DFile(Source):
         return analog_unsigned(self.layout)
 
     @np.errstate(all="ignore")
-    def read_analog(self) -> NDArray[np.float64]:
-        """Read the analog data from the file, shape (samples, channels), in their units.
+    def read_analog(self, chosen: Sequence[int] | None = None) -> NDArray[np.float64]:
+        """Read the analog data from the file, in their units.
+
+        Parameters
+        ----------
+        chosen : sequence of int, optional
+            The channels, from 0; all by default.
+
+        Returns
+        -------
+        ndarray, shape (samples, channels)
 
         Raises
         ------
@@ -93,7 +102,7 @@ class C3DFile(Source):
             if stamp != self.stamp:
                 raise changed_on_disk(self.path)
             return read_analog_samples(
-                stream, self.layout, str(self.path), convert, unsigned=unsigned
+                stream, self.layout, str(self.path), convert, unsigned=unsigned, chosen=chosen
             )
 
 

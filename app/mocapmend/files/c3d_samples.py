@@ -3,7 +3,7 @@
 Damaged floats may be anything: callers ignore the floating-point errors of numpy.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from io import FileIO
 from typing import Any
@@ -231,6 +231,7 @@ def read_analog_samples(
     convert: Callable[[NDArray[np.float64]], None],
     *,
     unsigned: bool,
+    chosen: Sequence[int] | None = None,
 ) -> NDArray[np.float64]:
     """Read the analog samples, shape (frames * samples, channels).
 
@@ -242,9 +243,12 @@ def read_analog_samples(
         Brings some samples from what is stored to their units, in place.
     unsigned : bool
         Whether integers have no sign.
+    chosen : sequence of int, optional
+        The channels to keep; all by default.
     """
-    per_frame = layout.channels * layout.analog_samples
-    values = np.empty((layout.frames, per_frame))
+    samples = layout.analog_samples
+    channels = layout.channels if chosen is None else len(chosen)
+    values = np.empty((layout.frames * samples, channels))
     for first, block in read_blocks(stream, layout, where):
         raw = block[:, layout.points * layout.slot :]
         stored = (
@@ -252,8 +256,11 @@ def read_analog_samples(
             if layout.is_float
             else decode_integers(raw, layout.processor, unsigned=unsigned)
         )
-        rows = values[first : first + len(block)]
-        rows[...] = stored
+        rows = values[first * samples : (first + len(block)) * samples]
+        full = rows if chosen is None else np.empty((len(rows), layout.channels))
+        full.reshape(len(block), samples * layout.channels)[...] = stored
         # While they are in the cache.
-        convert(rows.reshape(len(rows) * layout.analog_samples, layout.channels))
-    return values.reshape(layout.frames * layout.analog_samples, layout.channels)
+        convert(full)
+        if chosen is not None:
+            rows[...] = full[:, chosen]
+    return values

@@ -76,6 +76,10 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "centre_marker": lambda w: w.scene.centre_on(w.view.marker),
     "longer_trails": lambda w: w.step_trails(1),
     "shorter_trails": lambda w: w.step_trails(-1),
+    "show_analog": lambda w: w.show_analog(),
+    "next_plots": lambda w: w.plots.step_plots(1),
+    "previous_plots": lambda w: w.plots.step_plots(-1),
+    "next_bone": lambda w: w.plots.step_bone(1),
     "view_front": lambda w: w.scene.look("front"),
     "view_back": lambda w: w.scene.look("back"),
     "view_left": lambda w: w.scene.look("left"),
@@ -99,5 +103,11 @@ SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
     "ground": lambda w, on: w.scene.set_layer("ground", on),
     "plates": lambda w, on: w.scene.set_layer("plates", on),
     "separate": lambda w, on: w.trajectories.set_separate(on),
+    "plot_position": lambda w, on: w.plots.show_plots("plot_position", on),
+    "plot_speed": lambda w, on: w.plots.show_plots("plot_speed", on),
+    "plot_acceleration": lambda w, on: w.plots.show_plots("plot_acceleration", on),
+    "plot_residual": lambda w, on: w.plots.show_plots("plot_residual", on),
+    "plot_bone": lambda w, on: w.plots.show_plots("plot_bone", on),
+    "same_scale": lambda w, on: w.plots.set_same_scale(on),
 }
 """By id of a checkable action."""

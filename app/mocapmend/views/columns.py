@@ -3,7 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-BLOCK = 64
+FACTOR = 4
+"""Samples per sample of the next level; up to so many per pixel are drawn as they are."""
+SMALLEST_LEVEL = 256
+
+Floats = NDArray[np.floating]
 
 
 def column_edges(start: float, stop: float, width: int) -> NDArray[np.int64]:
@@ -32,64 +36,72 @@ def columns_with(runs: NDArray[np.int64], edges: NDArray[np.int64]) -> NDArray[n
 
 
 class Envelope:
-    """The extremes of one trajectory, so that a picture of 100,000 frames costs like one of 1,000.
+    """The extremes of some curves at coarser and coarser levels.
+
+    A picture of a million samples costs like one of a thousand.
 
     Parameters
     ----------
-    values : ndarray, shape (frames, 3)
-        A marker's coordinates, NaN where missing.
+    rows : ndarray, shape (curves, samples)
+        NaN where missing.
     """
 
-    def __init__(self, values: NDArray[np.float64]) -> None:
-        self._values = values
-        whole = len(values) // BLOCK * BLOCK
-        blocks = values[:whole].reshape(-1, BLOCK, 3)
-        missing = np.isnan(blocks)
-        self._low = np.where(missing, np.inf, blocks).min(axis=1, initial=np.inf)
-        self._high = np.where(missing, -np.inf, blocks).max(axis=1, initial=-np.inf)
+    def __init__(self, rows: Floats) -> None:
+        self.rows = rows
+        self._levels: list[tuple[Floats, Floats]] = []
+        low = high = rows
+        while low.shape[1] > SMALLEST_LEVEL:
+            low, high = _coarser(low, FACTOR, np.fmin), _coarser(high, FACTOR, np.fmax)
+            self._levels.append((low, high))
+        self.empty = bool(np.isnan(low).all())
+        """Whether no value is known."""
 
-    def line(self, axis: int, start: float, stop: float, width: int) -> NDArray[np.float64]:
-        """Return the polyline that draws one coordinate over a range of frames.
+    def lines(self, start: float, stop: float, width: int) -> tuple[Floats, Floats]:
+        """Return the polylines that draw all curves over a range of samples.
 
         Parameters
         ----------
-        axis : int
-            0, 1 or 2.
         start, stop : float
-            The visible frames.
+            The visible samples.
         width : int
             Pixels that they take.
 
         Returns
         -------
-        ndarray, shape (n, 2)
-            Frame and value; NaN values break the line. At most about four points per pixel.
+        places : ndarray, shape (n,)
+            Sample numbers: at most about four per pixel.
+        values : ndarray, shape (curves, n)
+            NaN values break the line.
         """
         first = max(0, int(np.floor(start)) - 1)
-        last = min(len(self._values), int(np.ceil(stop)) + 2)
+        last = min(self.rows.shape[1], int(np.ceil(stop)) + 2)
         per_pixel = (last - first) / max(1, width)
-        if per_pixel <= 4:
-            return np.stack((np.arange(first, last), self._values[first:last, axis]), axis=1)
-        if per_pixel < 2 * BLOCK:
-            bucket = int(per_pixel)
-            count = (last - first) // bucket
-            part = self._values[first : first + count * bucket, axis].reshape(count, bucket)
-            with np.errstate(invalid="ignore"):
-                low, high = np.fmin.reduce(part, axis=1), np.fmax.reduce(part, axis=1)
-        else:
-            bucket = int(per_pixel / BLOCK) * BLOCK
-            group = bucket // BLOCK
-            begin = first // BLOCK
-            count = max(1, (min(last // BLOCK, len(self._low)) - begin) // group)
-            part_of = slice(begin, begin + count * group)
-            low = self._low[part_of, axis].reshape(count, group).min(axis=1)
-            high = self._high[part_of, axis].reshape(count, group).max(axis=1)
-            first = begin * BLOCK
-        line = np.empty((2 * count, 2))
-        line[0::2, 0] = line[1::2, 0] = first + (np.arange(count) + 0.5) * bucket
+        if per_pixel <= FACTOR or not self._levels:
+            return np.arange(first, last, dtype=float), self.rows[:, first:last]
+        level = min(int(np.log(per_pixel) / np.log(FACTOR)), len(self._levels))
+        block = FACTOR**level
+        group = int(per_pixel / block)
+        bucket = block * group
+        # Buckets keep their places while the range moves, or the picture would flicker.
+        begin, end = first // bucket, -(-last // bucket)
+        part = slice(begin * group, end * group)
+        low, high = self._levels[level - 1]
+        low = _coarser(low[:, part], group, np.fmin)
+        high = _coarser(high[:, part], group, np.fmax)
+        count = low.shape[1]
+        places = np.repeat((begin + np.arange(count) + 0.5) * bucket - 0.5, 2)
+        values = np.empty((len(low), 2 * count))
         # Low and high alternate, so that neighbouring buckets join without a zigzag.
-        flip = np.arange(count) % 2 == 1
-        line[0::2, 1] = np.where(flip, high, low)
-        line[1::2, 1] = np.where(flip, low, high)
-        line[~np.isfinite(line[:, 1]), 1] = np.nan
-        return line
+        values[:, 0::4], values[:, 1::4] = low[:, 0::2], high[:, 0::2]
+        values[:, 2::4], values[:, 3::4] = high[:, 1::2], low[:, 1::2]
+        return places, values
+
+
+def _coarser(rows: Floats, factor: int, extreme: np.ufunc) -> Floats:
+    """Return the extremes of every `factor` samples; of those at the end there may be fewer."""
+    result: Floats = rows[:, ::factor].copy()
+    for offset in range(1, factor):
+        part = rows[:, offset::factor]
+        inside = result[:, : part.shape[1]]
+        extreme(inside, part, out=inside)
+    return result

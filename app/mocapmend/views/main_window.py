@@ -143,6 +143,7 @@ class MainWindow(QMainWindow):
             "Repair": self.tr("&Repair"),
             "Play": self.tr("&Play"),
             "View": self.tr("&View"),
+            "Plots": self.tr("P&lots"),
             "Help": self.tr("&Help"),
         }
         menus = {name: self.menuBar().addMenu(titles[name]) for name in MENUS}

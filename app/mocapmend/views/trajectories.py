@@ -1,96 +1,108 @@
-"""The trajectory plots: x, y and z of the selected markers, the gaps shaded."""
+"""The trajectory plots: quantities of the selected markers, the gaps shaded."""
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import (
-    QColor,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPixmap,
-    QResizeEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QMouseEvent, QPainter
+from PySide6.QtWidgets import QWidget
 
 from mocapmend.document import Document
 from mocapmend.theme import Theme
 from mocapmend.views.labels import elided
-from mocapmend.views.lane import Curve, Frame, Lane, LanePainter, ticks
-from mocapmend.views.time_axis import TimeAxis
+from mocapmend.views.lane import Frame
+from mocapmend.views.lane_painter import Lane, LanePainter
+from mocapmend.views.plot_canvas import PlotCanvas
+from mocapmend.views.quantities import Curve, Quantity
+from mocapmend.views.readout import Readout, Row
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
-LEFT = 58
-RIGHT = 8
-TOP = 22
-BOTTOM = 20
-SPACE = 6
-LEAST_LANE = 44
-"""Height below which a plot cannot be read."""
+POSITION = (Quantity.X, Quantity.Y, Quantity.Z)
+DECIMALS = {"m": 4, "cm": 2}
+"""Of a coordinate, by unit; 1 of others."""
+MORE_DECIMALS = {Quantity.SPEED: -1, Quantity.ACCELERATION: -1, Quantity.RESIDUAL: 1}
+APART = 18
+"""Pixels between the values of two markers."""
 
 
-class Trajectories(QWidget):
-    """Plots that are painted once and kept: moving the playhead draws one line over the picture."""
+class Trajectories(PlotCanvas):
+    """Plots of the selected markers; which quantities is chosen by `PlotPane`."""
 
     def __init__(
         self, document: Document, view: ViewState, theme: Theme, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
+        original = document.original
+        super().__init__(view, original.rate, original.first_frame, theme, parent)
         self._document = document
-        self._view = view
         self._painter = LanePainter(document, theme)
-        self._picture: QPixmap | None = None
-        self._frames: list[tuple[Lane, Frame]] = []
+        self._quantities: tuple[Quantity, ...] = POSITION
+        self._shown: list[Lane] = []
+        self._bone: tuple[int, int] | None = None
         self._separate = False
-        self._axis = TimeAxis(view, LEFT, lambda: self.width() - LEFT - RIGHT)
-        self.setMinimumSize(QSize(260, 160))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self._same_scale = False
+        self._short = {
+            Quantity.SPEED: self.tr("Speed"),
+            Quantity.ACCELERATION: self.tr("Accel."),
+            Quantity.RESIDUAL: self.tr("Residual"),
+            Quantity.BONE: self.tr("Length"),
+        }
         self.setAccessibleName(self.tr("Trajectory plots"))
-        view.frame_changed.connect(self.update)
-        for signal in (view.selection_changed, view.preview_changed, view.range_changed):
-            signal.connect(self._repaint)
+        view.selection_changed.connect(self.repaint_plots)
+        view.preview_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
 
-    @property
-    def _theme(self) -> Theme:
-        return self._painter.theme
-
     def set_theme(self, theme: Theme) -> None:
-        """Paint with other colours from now on."""
         self._painter.theme = theme
-        self._repaint()
+        super().set_theme(theme)
 
     def set_separate(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
-        """Give every selected marker its own three plots, or overlay them."""
+        """Give every selected marker its own plots, or overlay them."""
         self._separate = on
-        self._repaint()
+        self.repaint_plots()
+
+    def set_same_scale(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        """Make a unit of x, y and z equally high in all plots, or let each fill its plot."""
+        self._same_scale = on
+        self.repaint_plots()
+
+    def set_quantities(self, quantities: tuple[Quantity, ...]) -> None:
+        """Choose what is plotted, from top to bottom."""
+        self._quantities = quantities
+        self.repaint_plots()
+
+    def set_bone(self, bone: tuple[int, int] | None) -> None:
+        """Choose the two markers whose distance is plotted as a bone's length."""
+        self._bone = bone
+        self.repaint_plots()
 
     def lanes(self) -> list[Lane]:
         """Return the plots for the present selection, from top to bottom.
 
         Of separate plots only as many as can be read; the markers selected last come first.
         """
+        curves = self._curves()
+        if not curves:
+            return []
+        single = [quantity for quantity in self._quantities if quantity is not Quantity.BONE]
+        lanes = [Lane(quantity, curves) for quantity in single]
+        if self._separate and single:
+            room = self._room(self._area()) - (len(single) < len(self._quantities))
+            shown = curves[-max(1, room // len(single)) :]
+            lanes = [Lane(quantity, (curve,)) for curve in shown for quantity in single]
+        if len(single) < len(self._quantities):
+            lanes.append(Lane(Quantity.BONE, self._bone_curves()))
+        return lanes
+
+    def _curves(self) -> tuple[Curve, ...]:
         colours = self._theme.curves
-        curves = tuple(
+        return tuple(
             Curve(marker, colours[order % len(colours)])
             for order, marker in enumerate(self._view.selection)
         )
-        if not self._separate:
-            return [Lane(axis, curves) for axis in range(3)] if curves else []
-        room = max(1, (self.height() - TOP - BOTTOM) // (3 * LEAST_LANE))
-        return [Lane(axis, (curve,)) for curve in curves[-room:] for axis in range(3)]
 
-    # --- what the user does ------------------------------------------------------------------
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._axis.press(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        self._axis.drag(event)
+    def _bone_curves(self) -> tuple[Curve, ...]:
+        if self._bone is None:
+            return ()
+        return (Curve(self._bone[0], self._theme.text, self._bone[1]),)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         marker = self._view.marker
@@ -100,119 +112,105 @@ class Trajectories(QWidget):
         if gap is not None:
             self._view.go_to(gap)
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        self._axis.wheel(event)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        self._picture = None
-        super().resizeEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        if event.type() in (QEvent.Type.FontChange, QEvent.Type.PaletteChange):
-            self._picture = None
-        super().changeEvent(event)
-
     # --- painting ----------------------------------------------------------------------------
 
     def _forget(self, gaps: tuple[Gap, ...]) -> None:
-        self._painter.forget({gap.marker for gap in gaps})
-        self._repaint()
+        self._painter.series.forget({gap.marker for gap in gaps})
+        self.repaint_plots()
 
-    def _repaint(self) -> None:
-        self._picture = None
-        self.update()
+    def _hint(self) -> str:
+        if not self._view.selection:
+            return self.tr("Select a marker to see its trajectory")
+        return self.tr("Nothing is chosen to be plotted: press V")
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        if self._picture is None or self._picture.devicePixelRatioF() != self.devicePixelRatioF():
-            self._picture = self._paint_picture()
-        painter = QPainter(self)
-        painter.drawPixmap(0, 0, self._picture)
-        if self._frames:
-            self._paint_values(painter)
-            self._paint_playhead(painter)
-        painter.end()
-
-    def _paint_picture(self) -> QPixmap:
-        ratio = self.devicePixelRatioF()
-        picture = QPixmap(self.size() * ratio)
-        picture.setDevicePixelRatio(ratio)
-        picture.fill(QColor(self._theme.window))
-        painter = QPainter(picture)
-        painter.setFont(self.font())
-        lanes = self.lanes()
-        self._frames = []
-        if not lanes:
-            self._paint_hint(painter)
-        else:
-            height = (self.height() - TOP - BOTTOM + SPACE) / len(lanes)
-            for row, lane in enumerate(lanes):
-                top = round(TOP + row * height)
-                rect = QRectF(LEFT, top, self._axis.width, max(8, round(height - SPACE)))
-                frame = self._painter.paint(
-                    painter, lane, rect, self._view.visible, self._view.preview
-                )
-                self._frames.append((lane, frame))
-                if self._separate and lane.axis == 0:
-                    self._paint_marker(painter, lane.curves[0], rect)
-            self._paint_time_axis(painter)
-        painter.end()
-        return picture
-
-    def _paint_marker(self, painter: QPainter, curve: Curve, rect: QRectF) -> None:
-        painter.setPen(QColor(curve.colour))
-        place = rect.adjusted(20, 2, -4, 0)
-        painter.drawText(place, Qt.AlignmentFlag.AlignLeft, self._document.names[curve.marker])
-
-    def _paint_hint(self, painter: QPainter) -> None:
-        painter.setPen(QColor(self._theme.dim))
-        painter.drawText(
-            self.rect(),
-            Qt.AlignmentFlag.AlignCenter,
-            self.tr("Select a marker to see its trajectory"),
+    def _paint_plots(self, painter: QPainter, area: QRectF) -> list[Frame]:
+        self._shown = lanes = self.lanes()
+        of_markers = [lane for lane in lanes if lane.quantity is not Quantity.BONE]
+        seen = {curve.marker for lane in of_markers for curve in lane.curves}
+        per_marker = len(of_markers) // max(1, len(seen))
+        self._left_out = (len(self._view.selection) - len(seen)) * per_marker
+        rows = list(zip(lanes, self._rows(area, len(lanes)), strict=True))
+        frames = self._painter.paint(
+            painter, rows, self._view.visible, self._view.preview, same_scale=self._same_scale
         )
+        if self._separate:
+            self._paint_markers(painter, rows)
+        return frames
 
-    def _paint_time_axis(self, painter: QPainter) -> None:
-        frame = self._frames[-1][1]
-        first = self._document.original.first_frame
-        painter.setPen(QColor(self._theme.dim))
-        marks, _ = ticks(frame.start + first, frame.stop + first, max(2, self._axis.width // 60))
-        for mark in marks:
-            if mark != round(mark):
+    def _paint_markers(self, painter: QPainter, rows: list[tuple[Lane, QRectF]]) -> None:
+        """Write each marker's name into the first of its own plots."""
+        metrics, named = painter.fontMetrics(), set()
+        for lane, rect in rows:
+            marker = lane.curves[0].marker if lane.curves else None
+            if marker is None or lane.quantity is Quantity.BONE or marker in named:
                 continue
-            x = float(frame.x(mark - first))
-            if frame.rect.left() + 10 <= x <= frame.rect.right() - 10:
-                place = QRectF(x - 40, self.height() - BOTTOM + 2, 80, 16)
-                painter.drawText(place, Qt.AlignmentFlag.AlignCenter, f"{mark:.0f}")
+            named.add(marker)
+            title = metrics.horizontalAdvance(self._painter.title(lane)) + 15
+            name = elided(self._document.names[marker], metrics, int(rect.width()) - title - 5)
+            painter.setPen(QColor(lane.curves[0].colour))
+            painter.drawText(QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent()), name)
 
-    def _paint_playhead(self, painter: QPainter) -> None:
-        frame = self._frames[0][1]
-        x = float(frame.x(self._view.frame))
-        if frame.rect.left() <= x <= frame.rect.right():
-            painter.setPen(QPen(QColor(self._theme.playhead), 1))
-            painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
-
-    def _paint_values(self, painter: QPainter) -> None:
-        """Write the names and places of the selected markers above the plots, the current first."""
+    def _paint_header(self, painter: QPainter) -> None:
+        """Write the names and places of the selected markers, the current first."""
         painter.setFont(self.font())
         metrics = painter.fontMetrics()
-        x, colours = float(LEFT), self._theme.curves
-        for done, (order, marker) in enumerate(reversed(list(enumerate(self._view.selection)))):
-            name, value = self._document.names[marker], f"  {self._value(marker)}"
-            more = f"+{len(self._view.selection) - done}"
-            room = self.width() - RIGHT - x - metrics.horizontalAdvance(value)
-            if done and room < metrics.horizontalAdvance(name + more) + 18:
+        self._paint_derived(painter)
+        margins, curves = self._margins, self._curves()
+        x, baseline = float(margins.left), 2.0 + metrics.ascent()
+        for done, curve in enumerate(reversed(curves)):
+            name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
+            more = f"+{len(curves) - done}"
+            room = self.width() - margins.right - x - metrics.horizontalAdvance(value)
+            if done and room < metrics.horizontalAdvance(name + more) + APART:
                 painter.setPen(QColor(self._theme.dim))
-                painter.drawText(QPointF(x, TOP - 7), more)
+                painter.drawText(QPointF(x, baseline), more)
                 return
             text = elided(name, metrics, int(room)) + value
-            painter.setPen(QColor(colours[order % len(colours)]))
-            painter.drawText(QPointF(x, TOP - 7), text)
-            x += metrics.horizontalAdvance(text) + 18
+            painter.setPen(QColor(curve.colour))
+            painter.drawText(QPointF(x, baseline), text)
+            x += metrics.horizontalAdvance(text) + APART
 
-    def _value(self, marker: int) -> str:
-        place = self._document.points[self._view.frame, marker]
-        if np.isnan(place[0]):
+    def _place_now(self, curve: Curve) -> str:
+        """Write where a marker is at the playhead."""
+        frame = self._view.frame
+        if np.isnan(self._document.points[frame, curve.marker, 0]):
             return self.tr("missing")
-        unit = self._document.original.unit
-        decimals = {"m": 4, "cm": 2}.get(unit, 1)
-        return "  ".join(f"{value:.{decimals}f}" for value in place) + f" {unit}"
+        place = "  ".join(self._value(axis, curve, frame) for axis in POSITION)
+        return f"{place} {self._document.original.unit}"
+
+    def _paint_derived(self, painter: QPainter) -> None:
+        """Write into each other plot the value that its current curve has at the playhead."""
+        metrics = painter.fontMetrics()
+        for lane, frame in zip(self._shown, self._frames, strict=True):
+            if lane.quantity.kind == "position" or not lane.curves:
+                continue
+            text = self._value(lane.quantity, lane.curves[-1], self._view.frame)
+            right = frame.rect.right() - 5 - metrics.horizontalAdvance(text)
+            painter.setPen(QColor(lane.curves[-1].colour))
+            painter.drawText(QPointF(right, frame.rect.top() + 2 + metrics.ascent()), text)
+
+    def _value(self, quantity: Quantity, curve: Curve, frame: int) -> str:
+        value = self._painter.series.rows(quantity, curve)[frame]
+        if np.isnan(value):
+            return "–"
+        decimals = DECIMALS.get(self._document.original.unit, 1) + MORE_DECIMALS.get(quantity, 0)
+        return f"{value:.{decimals}f}"
+
+    def _readout(self, frame: float, row: int) -> Readout:
+        at = max(0, min(self._view.frames - 1, int(np.floor(frame))))
+        kind = self._shown[row].quantity.kind
+        columns = [quantity for quantity in self._quantities if quantity.kind == kind]
+        curves = self._bone_curves() if kind == "bone" else tuple(reversed(self._curves()))
+        rows = [
+            Row(
+                " – ".join(self._document.names[marker] for marker in curve.markers),
+                curve.colour,
+                tuple(self._value(quantity, curve, at) for quantity in columns),
+            )
+            for curve in curves
+        ]
+        title = self.tr("Frame {0} · {1} s").format(
+            at + self._first_frame, f"{at / self._rate:.3f}"
+        )
+        names = tuple(self._short.get(quantity, quantity.name) for quantity in columns)
+        return Readout(title, names, tuple(rows))

@@ -12,18 +12,21 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabW
 from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
+from mocapmend.files import C3DFile
 from mocapmend.jobs import Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order
 from mocapmend.prospects import Prospects
 from mocapmend.settings import LAYOUT, RANKING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
+from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.plan_pane import PlanPane
 from mocapmend.views.player import Player
+from mocapmend.views.plot_pane import PlotPane
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.repair_panel import RepairPanel
@@ -33,7 +36,6 @@ from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.survey import Survey
 from mocapmend.views.timeline import Timeline
-from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Unfilled
@@ -81,7 +83,8 @@ class Workspace(QMainWindow):
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.push, self)
         self.scene = Scene(document, self.view, theme)
         self.scene.set_trail_seconds(settings.get(TRAIL_SECONDS))
-        self.trajectories = Trajectories(document, self.view, theme)
+        self.plots = PlotPane(document, self.view, settings, theme, actions)
+        self.trajectories = self.plots.trajectories
         self.timeline = Timeline(document, self.view, theme)
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
@@ -91,6 +94,11 @@ class Workspace(QMainWindow):
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
+        source = document.source
+        self.analog: AnalogPane | None = None
+        if isinstance(source, C3DFile) and source.analog_labels and original.frames:
+            self.analog = AnalogPane(source, self.view, jobs, theme)
+            self.analog.failed.connect(self.failed)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
         self.last_export: Path | None = None
@@ -125,6 +133,8 @@ class Workspace(QMainWindow):
         """Paint with other colours from now on."""
         for part in self._themed:
             part.set_theme(theme)
+        if self.analog is not None:
+            self.analog.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
@@ -133,6 +143,8 @@ class Workspace(QMainWindow):
         self.survey.stop()
         self.filling.stop()
         self.report.stop()
+        if self.analog is not None:
+            self.analog.stop()
         self.recorder.discard()
 
     def panes(self) -> list[QDockWidget]:
@@ -152,6 +164,13 @@ class Workspace(QMainWindow):
                 pane.raise_()
                 # Later: what was behind another pane is enabled when it is seen.
                 QTimer.singleShot(0, content, content.setFocus)
+
+    def show_analog(self) -> None:
+        """Bring the analog channels to the front, where the file has some."""
+        if self.analog is None:
+            self.message.emit(self.tr("This file has no analog channels."))
+        else:
+            self.show_pane(self.analog)
 
     def restore_first_layout(self) -> None:
         """Put all panes back where they were when the program was new."""
@@ -316,18 +335,20 @@ class Workspace(QMainWindow):
     # --- arrangement -------------------------------------------------------------------------
 
     def _arrange(self) -> None:
+        areas = Qt.DockWidgetArea
         self.setDockNestingEnabled(True)
         self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
+            if self.analog is not None:
+                self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             return
         middle = QSplitter(Qt.Orientation.Horizontal)
         middle.addWidget(self.scene)
-        middle.addWidget(self.trajectories)
+        middle.addWidget(self.plots)
         middle.setSizes([420, 480])
         middle.setChildrenCollapsible(False)
         self.setCentralWidget(middle)
-        areas = Qt.DockWidgetArea
         corners = Qt.Corner
         self.setCorner(corners.BottomLeftCorner, areas.BottomDockWidgetArea)
         self.setCorner(corners.BottomRightCorner, areas.BottomDockWidgetArea)
@@ -342,7 +363,12 @@ class Workspace(QMainWindow):
         )
         plan = self._dock("plan", self.tr("Plan"), self.plan, areas.BottomDockWidgetArea)
         report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        for tabs in ((queue, markers), (timeline, plan, repairs, report)):
+        bottom = [timeline, plan, repairs, report]
+        if self.analog is not None:
+            bottom.append(
+                self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
+            )
+        for tabs in ([queue, markers], bottom):
             for before, tab in pairwise(tabs):
                 self.tabifyDockWidget(before, tab)
             for tab in tabs:
@@ -352,7 +378,7 @@ class Workspace(QMainWindow):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._panes and not self.arranged:
+        if self.document.repairable and not self.arranged:
             # Sizes of panes mean nothing before the window has its own.
             QTimer.singleShot(0, self, self._size_panes)
 

@@ -1,0 +1,215 @@
+"""The plots of markers: curves with their gaps, fills and previews."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
+
+from mocapmend.document import Document
+from mocapmend.state import SampleState
+from mocapmend.theme import AXIS_COLOURS, Theme
+from mocapmend.views.columns import Floats, column_edges, columns_with
+from mocapmend.views.lane import Frame, mixed, paint_grid, paint_line, paint_message, value_range
+from mocapmend.views.quantities import Curve, Quantity, Series
+from mocapmend.viewstate import Preview
+
+FILL_OVERLAY_FRAMES = 20_000
+"""Above this many visible frames the fills are told by their shade alone."""
+BAND_SIGMAS = 1.6449
+"""Half-width of the band in standard deviations per axis: 90 %."""
+BEHIND = 0.67
+"""Share of the colours of the curves that are not worked on."""
+
+
+@dataclass(frozen=True)
+class Lane:
+    """A plot: which quantity of which markers; the last curve is the one worked on."""
+
+    quantity: Quantity
+    curves: tuple[Curve, ...]
+
+
+class LanePainter:
+    """Paints lanes of a document into a picture.
+
+    Parameters
+    ----------
+    document : Document
+        Its samples are painted.
+    theme : Theme
+        The colours.
+    """
+
+    def __init__(self, document: Document, theme: Theme) -> None:
+        self.theme = theme
+        self.series = Series(document)
+        self._document = document
+        self._strips: dict[tuple[int, ...], NDArray[np.uint32]] = {}
+
+    def title(self, lane: Lane) -> str:
+        """Return what a plot is called, with the unit where it is not that of the recording."""
+        unit, names = self._document.original.unit, self._document.names
+        translate = QCoreApplication.translate
+        if lane.quantity is Quantity.SPEED:
+            return translate("LanePainter", "Speed ({0}/s)").format(unit)
+        if lane.quantity is Quantity.ACCELERATION:
+            return translate("LanePainter", "Acceleration ({0}/s²)").format(unit)
+        if lane.quantity is Quantity.RESIDUAL:
+            return translate("LanePainter", "Residual ({0})").format(unit)
+        if lane.quantity is Quantity.BONE:
+            ends = [names[marker] for curve in lane.curves for marker in curve.markers]
+            text = translate("LanePainter", "Length {0} ({1})")
+            return text.format(" – ".join(ends), unit)
+        return lane.quantity.name
+
+    def paint(
+        self,
+        painter: QPainter,
+        lanes: Sequence[tuple[Lane, QRectF]],
+        visible: tuple[float, float],
+        preview: Preview | None,
+        *,
+        same_scale: bool = False,
+    ) -> list[Frame]:
+        """Paint lanes and return the frames that they were painted in.
+
+        With the same scale for x, y and z their units are equally high in all lanes.
+        """
+        self._strips.clear()
+        spans = [self._span(lane, rect, visible, preview) for lane, rect in lanes]
+        if same_scale:
+            places = [i for i, (lane, _) in enumerate(lanes) if lane.quantity.kind == "position"]
+            half = max((spans[i][1] - spans[i][0] for i in places), default=0.0) / 2
+            for i in places:
+                middle = sum(spans[i]) / 2
+                spans[i] = middle - half, middle + half
+        frames = []
+        for (lane, rect), span in zip(lanes, spans, strict=True):
+            frame = Frame(rect, *visible, *span)
+            frames.append(frame)
+            self._paint_lane(painter, frame, lane, preview)
+        return frames
+
+    def _span(
+        self, lane: Lane, rect: QRectF, visible: tuple[float, float], preview: Preview | None
+    ) -> tuple[float, float]:
+        """Return the values that a lane has to show."""
+        width = int(rect.width())
+        values = [self.series.line(lane.quantity, c, visible, width)[1] for c in lane.curves]
+        frames, inside = self._preview_line(preview, lane)
+        values.append(inside[(frames >= visible[0]) & (frames <= visible[1])])
+        return value_range(values)
+
+    def _paint_lane(
+        self, painter: QPainter, frame: Frame, lane: Lane, preview: Preview | None
+    ) -> None:
+        rect, quantity = frame.rect, lane.quantity
+        message = self._message(lane)
+        self._paint_background(painter, frame, lane)
+        if message:
+            painter.setPen(QColor(self.theme.line))
+            painter.drawRect(rect)
+            paint_message(painter, rect, message, self.theme)
+        else:
+            paint_grid(painter, frame, self.theme)
+        painter.setClipRect(rect)
+        visible, width = (frame.start, frame.stop), int(rect.width())
+        for curve in lane.curves:
+            share = 1.0 if curve is lane.curves[-1] else BEHIND
+            pen = QPen(mixed(self.theme.base, curve.colour, share), 1)
+            paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
+            self._paint_fills(painter, frame, quantity, curve)
+        self._paint_preview(painter, frame, lane, preview)
+        painter.setClipping(False)
+        self._paint_title(painter, rect, lane)
+
+    def _message(self, lane: Lane) -> str:
+        """Say why a lane is empty; "" where it is not."""
+        translate = QCoreApplication.translate
+        if lane.quantity is Quantity.RESIDUAL and not self.series.has_residuals:
+            return translate("LanePainter", "This file has no residuals")
+        if not lane.curves:
+            return translate("LanePainter", "Select two markers to see how far they are apart")
+        return ""
+
+    def _paint_title(self, painter: QPainter, rect: QRectF, lane: Lane) -> None:
+        is_place = lane.quantity.kind == "position"
+        painter.setPen(QColor(AXIS_COLOURS[lane.quantity.row] if is_place else self.theme.dim))
+        baseline = rect.top() + 2 + painter.fontMetrics().ascent()
+        painter.drawText(QPointF(rect.left() + 5, baseline), self.title(lane))
+
+    def _paint_background(self, painter: QPainter, frame: Frame, lane: Lane) -> None:
+        """Fill a lane, shaded where the marker worked on is missing or filled."""
+        rect = frame.rect
+        markers = lane.curves[-1].markers if lane.curves else ()
+        if markers not in self._strips:
+            self._strips[markers] = self._strip(markers, frame, int(rect.width()))
+        pixels = np.repeat(self._strips[markers][None], int(rect.height()), axis=0)
+        height, width = pixels.shape
+        image = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+        painter.drawImage(rect, image)
+
+    def _strip(self, markers: tuple[int, ...], frame: Frame, width: int) -> NDArray[np.uint32]:
+        """Return the background of each column, shape (width,)."""
+        edges = column_edges(frame.start, frame.stop, width)
+        ground, shades = self.theme.base, (self.theme.fill_shade, self.theme.gap_shade)
+        strip = np.full(width, mixed(ground, shades[0], 0.0).rgb(), np.uint32)
+        # Missing last: a gap must show even where it shares its column with a fill.
+        for state, shade in zip((SampleState.FILLED, SampleState.MISSING), shades, strict=True):
+            for marker in markers:
+                runs = self._document.runs(marker, state)
+                if len(runs):
+                    strip[columns_with(runs, edges)] = mixed(ground, shade).rgb()
+        return strip
+
+    def _paint_fills(
+        self, painter: QPainter, frame: Frame, quantity: Quantity, curve: Curve
+    ) -> None:
+        if frame.stop - frame.start > FILL_OVERLAY_FRAMES:
+            return
+        pen = QPen(QColor(self.theme.state_colour(SampleState.FILLED)), 2, Qt.PenStyle.DashLine)
+        values = self.series.rows(quantity, curve)
+        for marker in curve.markers:
+            runs = self._document.runs(marker, SampleState.FILLED)
+            runs = runs[(runs[:, 1] > frame.start) & (runs[:, 0] < frame.stop)]
+            for start, stop in runs.tolist():
+                # With the neighbours, so that the dashes join the measured curve.
+                frames = np.arange(max(0, start - 1), min(len(values), stop + 1))
+                paint_line(painter, frame, frames, values[frames], pen)
+
+    def _preview_line(self, preview: Preview | None, lane: Lane) -> tuple[Floats, Floats]:
+        """Return frames and values of a lane as a preview would make them; empty without one."""
+        if preview is None or preview.patch is None:
+            return np.empty(0), np.empty(0)
+        marker = preview.gap.marker
+        curve = next((curve for curve in lane.curves if marker in curve.markers), None)
+        if curve is None:
+            return np.empty(0), np.empty(0)
+        return self.series.patched(lane.quantity, curve, preview.patch)
+
+    def _paint_preview(
+        self, painter: QPainter, frame: Frame, lane: Lane, preview: Preview | None
+    ) -> None:
+        """Draw the line of a preview, for coordinates with its band."""
+        frames, values = self._preview_line(preview, lane)
+        if preview is None or preview.patch is None or not len(frames):
+            return
+        colour = QColor(self.theme.preview)
+        half = BAND_SIGMAS * preview.patch.sigma
+        # What is derived from coordinates has no band: errors of neighbours depend on each other.
+        if lane.quantity.kind == "position" and np.isfinite(half).all():
+            rows = np.arange(preview.gap.start, preview.gap.stop)
+            middle = preview.patch.values[:, lane.quantity.row]
+            x = np.concatenate((rows, rows[::-1])).astype(float)
+            y = np.concatenate((middle + half, (middle - half)[::-1]))
+            band = QColor(colour)
+            band.setAlpha(60)
+            painter.setBrush(band)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.drawPath(arrayToQPath(frame.x(x), frame.y(y), connect="all"))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+        paint_line(painter, frame, frames, values, QPen(colour, 2))
