@@ -31,6 +31,8 @@ LIMIT_GAP = Setting(key="repair/limit_gap", default=False)
 MAX_GAP_MS = Setting("repair/max_gap_ms", 200.0)
 LIMIT_ERROR = Setting(key="repair/limit_error", default=True)
 MAX_ERROR_MM = Setting("repair/max_error_mm", 20.0)
+PLAY_SPEED = Setting("play/speed", 1.0)
+MOST_MISSING_FIRST = Setting(key="timeline/most_missing_first", default=False)
 
 RECENT_LIMIT = 10
 

@@ -30,6 +30,7 @@ from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
 from mocapmend.settings import (
     GEOMETRY,
+    MOST_MISSING_FIRST,
     RECENT_FILES,
     THEME,
     Settings,
@@ -100,6 +101,7 @@ class MainWindow(QMainWindow):
         self.actions_by_id["theme"].setChecked(self.theme is LIGHT)
         self.actions_by_id["follow"].setChecked(True)
         self.actions_by_id["trails"].setChecked(True)
+        self.actions_by_id["most_missing_first"].setChecked(settings.get(MOST_MISSING_FIRST))
         self._show_theme()
         self._show_document()
 

@@ -25,6 +25,7 @@ from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
+from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import Timeline
 from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
@@ -72,6 +73,8 @@ class Workspace(QMainWindow):
         self.scene = Scene(document, self.view, theme)
         self.trajectories = Trajectories(document, self.view, theme)
         self.timeline = Timeline(document, self.view, theme)
+        self.time = TimeActions(document, self.view, self.player, self.timeline, settings, self)
+        self.time.message.connect(self.message)
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
