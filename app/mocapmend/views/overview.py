@@ -44,6 +44,7 @@ class Overview(QWidget):
         self.title = self.tr("Overview")
         self._gutter = 0
         self._heat: NDArray[np.float64] | None = None
+        self._strip_picture: QPixmap | None = None
         self._picture: QPixmap | None = None
         self._grip = ""
         self._taken_at = 0.0
@@ -52,8 +53,8 @@ class Overview(QWidget):
         self.setAccessibleName(self.tr("Overview of the whole recording"))
         self._shown = 0
         view.frame_changed.connect(self._show_frame)
-        view.range_changed.connect(self.update)
-        view.span_changed.connect(self.update)
+        view.range_changed.connect(self._repaint)
+        view.span_changed.connect(self._repaint)
         document.samples_changed.connect(self._forget)
 
     def set_theme(self, theme: Theme) -> None:
@@ -96,7 +97,11 @@ class Overview(QWidget):
         return max(1, self.width() - self._gutter - 1)
 
     def _forget(self) -> None:
-        self._heat = self._picture = None
+        self._heat = self._strip_picture = None
+        self._repaint()
+
+    def _repaint(self) -> None:
+        self._picture = None
         self.update()
 
     def _show_frame(self) -> None:
@@ -190,14 +195,24 @@ class Overview(QWidget):
             self._picture = self._paint_picture()
         painter = QPainter(self)
         painter.drawPixmap(0, 0, self._picture)
-        self._paint_window(painter)
         painter.setPen(QPen(QColor(self._theme.playhead), 1))
         x = round(self.x_of(self._view.frame + 0.5))
         painter.drawLine(x, 0, x, self.height())
         painter.end()
 
     def _paint_picture(self) -> QPixmap:
-        ratio = self.devicePixelRatioF()
+        """Paint all but the playhead."""
+        strip, ratio = self._strip_picture, self.devicePixelRatioF()
+        if strip is None or strip.devicePixelRatioF() != ratio:
+            strip = self._strip_picture = self._paint_strip(ratio)
+        picture = strip.copy()
+        painter = QPainter(picture)
+        self._paint_window(painter)
+        painter.end()
+        return picture
+
+    def _paint_strip(self, ratio: float) -> QPixmap:
+        """Paint the heat, which costs more and changes less often than the window on it."""
         picture = QPixmap(self.size() * ratio)
         picture.setDevicePixelRatio(ratio)
         picture.fill(QColor(self._theme.window))
