@@ -67,7 +67,7 @@ def test_a_lane_shows_missing_and_filled(
     qtbot.addWidget(timeline)
     image = picture(qtbot, timeline)
     x = round(timeline.axis.x_of((gap.start + gap.stop) / 2)) + timeline.viewport().x()
-    y = timeline.lane_top(gap.marker) + 1 + timeline.viewport().y()
+    y = timeline.lane_top(gap.marker) + timeline.viewport().y()
     assert image.pixelColor(x, y) == QColor(theme.state_colour(SampleState.MISSING))
     fill(document, gap)
     image = picture(qtbot, timeline)

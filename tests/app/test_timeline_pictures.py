@@ -84,6 +84,13 @@ def test_states_differ_in_shape_and_lose_no_column(height: int) -> None:
         assert shape.any(axis=0).all()
 
 
+def test_the_colours_of_lanes_of_any_height_fit_into_an_indexed_picture(document: Document) -> None:
+    lanes = LanePicture(document, DARK)
+    for height in range(5, 60):
+        table = lanes._colours(height)
+        assert len(np.unique(table, axis=0)) * table.shape[1] <= 256
+
+
 def test_lanes_are_painted_anew_only_when_something_in_them_changes(document: Document) -> None:
     lanes = LanePicture(document, DARK)
     markers = np.arange(document.original.markers)

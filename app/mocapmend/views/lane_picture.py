@@ -34,15 +34,15 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
     ndarray of bool, shape (height, PERIOD)
     """
     y, x = np.mgrid[:height, :PERIOD]
-    rail = max(1, round(height * 0.3))
+    rail = max(1, height // 4)
     rails = (y < rail) | (y >= height - rail)
     shapes = {
-        SampleState.MEASURED: (y >= height // 4) & (y < height - height // 4),
+        SampleState.MEASURED: ~rails,
         SampleState.MISSING: np.ones_like(rails),
         SampleState.BAD: (x + y) % PERIOD < PERIOD // 2,
         SampleState.FILLED: rails,
     }
-    return np.asarray(shapes.get(state, (y == 0) | (y == height - 1) | (x < PERIOD // 2)))
+    return np.asarray(shapes.get(state, rails | (x < PERIOD // 2)))
 
 
 class LanePicture:
@@ -62,7 +62,7 @@ class LanePicture:
         self._indices: dict[SampleState, RunIndex] = {}
         self._image: QImage | None = None
         self._key: object = None
-        self._pixels: NDArray[np.uint32] | None = None
+        self._pixels: NDArray[np.uint8] | None = None
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -96,11 +96,11 @@ class LanePicture:
 
     def _states(
         self, markers: NDArray[np.intp], visible: tuple[float, float], width: int
-    ) -> NDArray[np.intp]:
+    ) -> NDArray[np.uint8]:
         row_of = np.full(self._document.original.markers, -1)
         row_of[markers] = np.arange(len(markers))
         edges = column_edges(*visible, width)
-        states = np.full((max(1, len(markers)), width), int(SampleState.MEASURED))
+        states = np.full((max(1, len(markers)), width), SampleState.MEASURED, np.uint8)
         for state in PAINTED:
             if state not in self._indices:
                 runs = [self._document.runs(m, state) for m in range(len(row_of))]
@@ -108,21 +108,29 @@ class LanePicture:
             states.reshape(-1)[self._indices[state].cells(row_of, edges)] = state
         return states
 
-    def _paint(self, states: NDArray[np.intp], height: int) -> QImage:
+    def _paint(self, states: NDArray[np.uint8], height: int) -> QImage:
         rows, width = states.shape
-        cells = states * PERIOD + np.arange(width) % PERIOD
-        pixels = np.empty((rows, height, width), np.uint32)
-        ground = QColor(self._theme.window).rgb()
-        for y, colours in enumerate(self._colours(height - 1, ground)):
-            pixels[:, y] = colours[cells]
-        pixels[:, -1] = ground
+        colours = self._colours(height)
+        # Few rows of a lane differ: each of these has its own part of the image's colour table.
+        kinds, kind_of_row = np.unique(colours, axis=0, return_inverse=True)
+        cells = states * np.uint8(PERIOD) + (np.arange(width) % PERIOD).astype(np.uint8)
+        first = (kind_of_row * colours.shape[1]).astype(np.uint8)
+        # Rows of an image begin at multiples of four bytes.
+        pixels = np.zeros((rows, height, width + -width % 4), np.uint8)
+        np.add(cells[:, None], first[:, None], out=pixels[:, :, :width])
         # The image borrows the pixels.
         self._pixels = pixels
-        return QImage(pixels.data, width, rows * height, 4 * width, QImage.Format.Format_RGB32)
+        image = QImage(
+            pixels.data, width, rows * height, pixels.shape[2], QImage.Format.Format_Indexed8
+        )
+        image.setColorTable(kinds.ravel().tolist())
+        return image
 
-    def _colours(self, height: int, ground: int) -> NDArray[np.uint32]:
+    def _colours(self, height: int) -> NDArray[np.uint32]:
         """Return the colour of every state and phase of the hatch, by row of a lane."""
+        ground = QColor(self._theme.window).rgb()
         table = np.full((height, len(SampleState), PERIOD), ground, np.uint32)
         for state in SampleState:
-            table[:, state][shape_of(state, height)] = QColor(self._theme.state_colour(state)).rgb()
+            colour = QColor(self._theme.state_colour(state)).rgb()
+            table[:-1, state][shape_of(state, height - 1)] = colour
         return table.reshape(height, -1)
