@@ -215,6 +215,32 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec("last_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Last frame"), ("End",)),
     ActionSpec("faster", "Play", QT_TRANSLATE_NOOP("Actions", "Faster"), ("]",), starts_group=True),
     ActionSpec("slower", "Play", QT_TRANSLATE_NOOP("Actions", "Slower"), ("[",)),
+    ActionSpec(
+        "next_event",
+        "Play",
+        QT_TRANSLATE_NOOP("Actions", "Next event"),
+        ("E",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "previous_event", "Play", QT_TRANSLATE_NOOP("Actions", "Previous event"), ("Shift+E",)
+    ),
+    ActionSpec(
+        "select_from",
+        "Play",
+        QT_TRANSLATE_NOOP("Actions", "Select from here"),
+        ("I",),
+        starts_group=True,
+    ),
+    ActionSpec("select_to", "Play", QT_TRANSLATE_NOOP("Actions", "Select to here"), ("O",)),
+    ActionSpec("select_no_frames", "Play", QT_TRANSLATE_NOOP("Actions", "Select none"), ("Esc",)),
+    ActionSpec(
+        "loop",
+        "Play",
+        QT_TRANSLATE_NOOP("Actions", "Loop the selection, or everything"),
+        ("Shift+L",),
+        checkable=True,
+    ),
     ActionSpec("view_front", "View", QT_TRANSLATE_NOOP("Actions", "Front view"), ("Alt+1",)),
     ActionSpec("view_back", "View", QT_TRANSLATE_NOOP("Actions", "Back view"), ("Alt+2",)),
     ActionSpec("view_left", "View", QT_TRANSLATE_NOOP("Actions", "Left view"), ("Alt+3",)),
@@ -337,6 +363,21 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "zoom_out", "View", QT_TRANSLATE_NOOP("Actions", "Zoom out on the time axis"), ("-",)
     ),
     ActionSpec("zoom_all", "View", QT_TRANSLATE_NOOP("Actions", "Whole recording"), ("0",)),
+    ActionSpec("zoom_gap", "View", QT_TRANSLATE_NOOP("Actions", "Zoom to the gap"), ("G",)),
+    ActionSpec(
+        "zoom_span", "View", QT_TRANSLATE_NOOP("Actions", "Zoom to the selected frames"), ("Z",)
+    ),
+    ActionSpec("next_page", "View", QT_TRANSLATE_NOOP("Actions", "Next page"), ("Ctrl+Right",)),
+    ActionSpec(
+        "previous_page", "View", QT_TRANSLATE_NOOP("Actions", "Previous page"), ("Ctrl+Left",)
+    ),
+    ActionSpec(
+        "most_missing_first",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Lanes with most missing first"),
+        (),
+        checkable=True,
+    ),
     ActionSpec(
         "show_timeline",
         "View",

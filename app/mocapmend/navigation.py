@@ -1,7 +1,7 @@
 """From gap to gap, in the order of time. No Qt."""
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from mocapmend_algorithms import Gap
 
@@ -43,3 +43,27 @@ def neighbour(ordered: list[Gap], start: int, marker: int, step: int) -> Gap | N
     if step > 0:
         return ordered[bisect_right(keys, place) % len(ordered)]
     return ordered[bisect_left(keys, place) - 1]
+
+
+def neighbour_frame(ordered: Sequence[int], frame: int, step: int) -> int | None:
+    """Return the next (step 1) or previous (step -1) of some frames, around the end if need be.
+
+    Parameters
+    ----------
+    ordered : sequence of int
+        Frames in ascending order.
+    frame : int
+        Where to start.
+    step : int
+        1 or -1.
+
+    Returns
+    -------
+    int or None
+        None when there are none.
+    """
+    if not ordered:
+        return None
+    if step > 0:
+        return ordered[bisect_right(ordered, frame) % len(ordered)]
+    return ordered[bisect_left(ordered, frame) - 1]

@@ -52,6 +52,8 @@ SHOWN = {
     )
 }
 """What the 3D view shows, by the id of the action that switches it."""
+PLAY_SPEED = Setting("play/speed", 1.0)
+MOST_MISSING_FIRST = Setting(key="timeline/most_missing_first", default=False)
 
 RECENT_LIMIT = 10
 

@@ -7,6 +7,9 @@ from mocapmend_algorithms import Gap
 
 __all__ = ["Preview", "ViewState"]
 
+LEAST_VISIBLE = 10.0
+"""Frames that the plots and the timeline show at the closest."""
+
 
 class ViewState(QObject):
     """The shared cursor of all views of a document.
@@ -22,6 +25,7 @@ class ViewState(QObject):
     gap_changed = Signal(object)
     preview_changed = Signal(object)
     range_changed = Signal(float, float)
+    span_changed = Signal(object)
 
     def __init__(self, frames: int, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -33,6 +37,7 @@ class ViewState(QObject):
         self.candidates: tuple[tuple[int, Preview], ...] = ()
         self.picking = False
         self.visible = (0.0, float(max(1, frames)))
+        self.span: tuple[int, int] | None = None
 
     @property
     def marker(self) -> int | None:
@@ -89,6 +94,15 @@ class ViewState(QObject):
         elif self.frame < start:
             self.set_visible(self.frame + 1 - (stop - start), self.frame + 1)
 
+    def set_span(self, span: tuple[int, int] | None) -> None:
+        """Select a run of frames, first and end; kept inside the recording, None if it is empty."""
+        if span is not None:
+            span = max(0, span[0]), min(self.frames, span[1])
+            span = span if span[0] < span[1] else None
+        if span != self.span:
+            self.span = span
+            self.span_changed.emit(span)
+
     def set_preview(self, preview: Preview | None) -> None:
         """Show a repair without applying it, or none."""
         if preview is not self.preview:
@@ -131,7 +145,7 @@ class ViewState(QObject):
     def set_visible(self, start: float, stop: float) -> None:
         """Choose the frames that the plots and the timeline show; kept inside the recording."""
         whole = float(max(1, self.frames))
-        width = min(max(stop - start, 10.0), whole)
+        width = min(max(stop - start, LEAST_VISIBLE), whole)
         start = min(max(start, 0.0), whole - width)
         visible = (start, start + width)
         if visible != self.visible:

@@ -16,7 +16,6 @@ from mocapmend.files import check_files, read_c3d
 from mocapmend.settings import MAX_GAP_MS, RECENT_FILES, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
-from mocapmend.views.timeline import GUTTER
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import Gap
 
@@ -277,11 +276,11 @@ def test_a_click_on_the_timeline_scrubs_and_selects(opened: MainWindow, qtbot: Q
 
 def test_dragging_on_the_timeline_scrubs(opened: MainWindow, qtbot: QtBot) -> None:
     workspace = workspace_of(opened)
-    viewport = workspace.timeline.viewport()
-    qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(GUTTER + 5, 10))
-    qtbot.mouseMove(viewport, QPoint(GUTTER + 200, 10))
-    qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(GUTTER + 200, 10))
-    assert workspace.view.frame == int(workspace.timeline.axis.frame_at(GUTTER + 200))
+    viewport, left = workspace.timeline.viewport(), workspace.timeline.axis.left
+    qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(left + 5, 10))
+    qtbot.mouseMove(viewport, QPoint(left + 200, 10))
+    qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(left + 200, 10))
+    assert workspace.view.frame == int(workspace.timeline.axis.frame_at(left + 200))
 
 
 def test_a_click_in_3d_picks_the_marker_under_it(opened: MainWindow, qtbot: QtBot) -> None:

@@ -67,7 +67,7 @@ def test_a_lane_shows_missing_and_filled(
     qtbot.addWidget(timeline)
     image = picture(qtbot, timeline)
     x = round(timeline.axis.x_of((gap.start + gap.stop) / 2)) + timeline.viewport().x()
-    y = timeline.lane_top(gap.marker) + 1 + timeline.viewport().y()
+    y = timeline.lane_top(gap.marker) + timeline.viewport().y()
     assert image.pixelColor(x, y) == QColor(theme.state_colour(SampleState.MISSING))
     fill(document, gap)
     image = picture(qtbot, timeline)
@@ -95,18 +95,29 @@ def test_a_lane_out_of_view_is_scrolled_to_and_painted_in_its_place(
     assert name == QColor(DARK.accent)
 
 
-def test_the_current_gap_is_outlined_where_it_is_in_view(
+def test_the_current_gap_has_arrows_and_one_points_to_it_when_it_is_out_of_view(
     document: Document, view: ViewState, qtbot: QtBot
 ) -> None:
     gap = next(g for g in document.gaps if 60 < g.start and g.stop < 233)
     timeline = Timeline(document, view, DARK)
     qtbot.addWidget(timeline)
-    ink = QColor(DARK.preview).rgba()
     view.set_gap(gap)
-    assert colours(picture(qtbot, timeline))[ink] > 0
-    for start in (gap.stop + 10, gap.start - 60):
-        view.set_visible(start, start + 50)
-        assert colours(picture(qtbot, timeline))[ink] == 0
+
+    def inked() -> list[int]:
+        """Return the columns of the viewport that have the gap's colour."""
+        picture(qtbot, timeline)
+        image, ink = timeline.viewport().grab().toImage(), QColor(DARK.preview).rgba()
+        inside = range(image.width()), range(image.height())
+        return [x for x in inside[0] if any(image.pixel(x, y) == ink for y in inside[1])]
+
+    columns = inked()
+    left, right = timeline.axis.x_of(gap.start), timeline.axis.x_of(gap.stop)
+    assert left - 8 <= min(columns) < left
+    assert right < max(columns) <= right + 8
+    view.set_visible(gap.stop + 10, gap.stop + 60)
+    assert max(inked()) < timeline.axis.left + 14
+    view.set_visible(gap.start - 60, gap.start - 10)
+    assert min(inked()) > timeline.axis.left + timeline.axis.width - 14
 
 
 def test_the_plots_shade_gaps_and_show_the_preview_with_its_band(

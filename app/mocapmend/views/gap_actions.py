@@ -143,7 +143,7 @@ class GapActions(QObject):
     def _chosen(self) -> list[Gap]:
         """Return the current gap, or all gaps of the selected markers in the selected time."""
         document, gap = self._document, self._view.gap
-        span: tuple[int, int] | None = getattr(self._view, "span", None)
+        span = self._view.span
         if span is None:
             known = gap is not None and (
                 gap in document.gaps_of(gap.marker) or gap in document.never_of(gap.marker)

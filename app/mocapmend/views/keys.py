@@ -13,16 +13,16 @@ from PySide6.QtWidgets import (
 )
 
 _ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
+_DONE = _ENTER | {Qt.Key.Key_Escape}
 _CLAIMED: dict[type[QWidget], set[Qt.Key]] = {
-    QAbstractSpinBox: _ENTER | {Qt.Key.Key_Home, Qt.Key.Key_End},
-    QLineEdit: _ENTER,
+    QAbstractSpinBox: _DONE | {Qt.Key.Key_Home, Qt.Key.Key_End},
+    QLineEdit: _DONE,
     QPushButton: _ENTER | {Qt.Key.Key_Space},
     QAbstractButton: {Qt.Key.Key_Space},
     QComboBox: {Qt.Key.Key_Space},
     QTabBar: {Qt.Key.Key_Left, Qt.Key.Key_Right},
 }
 """Which keys a kind of widget keeps; the first kind that fits counts."""
-_DONE = _ENTER | {Qt.Key.Key_Escape}
 
 
 class KeyGuard(QObject):

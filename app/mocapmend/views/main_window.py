@@ -31,6 +31,7 @@ from mocapmend.log import log_path
 from mocapmend.settings import (
     COMPARE,
     GEOMETRY,
+    MOST_MISSING_FIRST,
     RECENT_FILES,
     SHOWN,
     THEME,
@@ -106,6 +107,7 @@ class MainWindow(QMainWindow):
             self.actions_by_id[name].toggled.connect(
                 lambda on, shown=shown: settings.set(shown, on)
             )
+        self.actions_by_id["most_missing_first"].setChecked(settings.get(MOST_MISSING_FIRST))
         self._show_theme()
         self._show_document()
 

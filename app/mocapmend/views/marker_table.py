@@ -190,6 +190,11 @@ class MarkerTable(QWidget):
         """Take the user's selection over into the view state, the newest marker last."""
         if self._following:
             return
+        if self._view.picking:
+            for index in chosen.indexes()[:1]:
+                self._view.click(self._proxy.mapToSource(index).row())
+            self._follow(self._view.selection)
+            return
         rows = self.table.selectionModel().selectedRows()
         selected = {self._proxy.mapToSource(row).row() for row in rows}
         kept = tuple(

@@ -26,10 +26,11 @@ class TimeAxis:
     """
 
     def __init__(self, view: ViewState, left: int, width: Callable[[], int]) -> None:
+        self.left = left
         self._view = view
-        self._left = left
         self._width = width
         self._grip: float | None = None
+        self._anchor: int | None = None
 
     @property
     def width(self) -> int:
@@ -44,31 +45,44 @@ class TimeAxis:
 
     def frame_at(self, x: float) -> float:
         """Return the frame at a horizontal place."""
-        return self._view.visible[0] + (x - self._left) * self.frames_per_pixel
+        return self._view.visible[0] + (x - self.left) * self.frames_per_pixel
 
     def x_of(self, frame: float) -> float:
         """Return the horizontal place of a frame's beginning."""
-        return self._left + (frame - self._view.visible[0]) / self.frames_per_pixel
+        return self.left + (frame - self._view.visible[0]) / self.frames_per_pixel
 
     def press(self, event: QMouseEvent) -> None:
-        """Begin to scrub with the left button, or to move the range with another."""
+        """Begin to scrub with the left button, to select with Shift, to move with another."""
         self._grip = event.position().x()
-        self.drag(event)
+        self._anchor = None
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self._anchor = self._whole_frame_at(self._grip)
+        else:
+            self.drag(event)
 
     def drag(self, event: QMouseEvent) -> None:
-        """Scrub or move the range to where the mouse is."""
+        """Scrub, select, or move the range to where the mouse is."""
         x = event.position().x()
         if event.buttons() & Qt.MouseButton.LeftButton:
-            if x >= self._left:
-                self._view.set_frame(int(np.floor(self.frame_at(x))))
+            if self._anchor is not None:
+                first, last = sorted((self._anchor, self._whole_frame_at(x)))
+                self._view.set_span((first, last + 1))
+            elif x >= self.left:
+                self._view.set_frame(self._whole_frame_at(x))
         elif event.buttons() and self._grip is not None:
             self._view.pan((self._grip - x) * self.frames_per_pixel)
             self._grip = x
 
     def wheel(self, event: QWheelEvent) -> None:
-        """Zoom around the mouse, or move the range while Shift is held."""
-        turned = event.angleDelta()
-        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            self._view.pan(-(turned.x() or turned.y()) * self.frames_per_pixel)
+        """Zoom around the mouse; sideways, or while Shift is held, move the range."""
+        turned, moved = event.angleDelta(), event.pixelDelta()
+        shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        if shift or abs(turned.x()) > abs(turned.y()):
+            # A touchpad says how many pixels the fingers have moved: the picture goes with them.
+            step = turned if moved.isNull() else moved
+            self._view.pan(-(step.x() or step.y()) * self.frames_per_pixel)
         else:
             self._view.zoom(ZOOM_PER_STEP ** turned.y(), self.frame_at(event.position().x()))
+
+    def _whole_frame_at(self, x: float) -> int:
+        return int(np.floor(self.frame_at(x)))

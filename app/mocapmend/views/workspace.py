@@ -35,6 +35,7 @@ from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.survey import Survey
+from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
@@ -86,6 +87,8 @@ class Workspace(QMainWindow):
         self.plots = PlotPane(document, self.view, settings, theme, actions)
         self.trajectories = self.plots.trajectories
         self.timeline = Timeline(document, self.view, theme)
+        self.time = TimeActions(document, self.view, self.player, self.timeline, settings, self)
+        self.time.message.connect(self.message)
         self.markers = MarkerTable(document, self.view, theme)
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
@@ -99,6 +102,9 @@ class Workspace(QMainWindow):
         if isinstance(source, C3DFile) and source.analog_labels and original.frames:
             self.analog = AnalogPane(source, self.view, jobs, theme)
             self.analog.failed.connect(self.failed)
+        self.view.span_changed.connect(self.trajectories.set_span)
+        if self.analog is not None:
+            self.view.span_changed.connect(self.analog.plots.set_span)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
         self.last_export: Path | None = None

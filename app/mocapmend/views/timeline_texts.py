@@ -1,0 +1,61 @@
+"""What the timeline says in words: its tooltips, and what a screen reader is told."""
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication
+
+from mocapmend.document import Document
+from mocapmend.files import Event
+from mocapmend.state import SampleState
+from mocapmend.views.event_lane import name_of, whole_frame
+from mocapmend.viewstate import ViewState
+from mocapmend_algorithms import Gap
+
+translate = QCoreApplication.translate
+
+
+def lane_tip(document: Document, marker: int, gap: Gap | None, *, on_lane: bool) -> str:
+    """Return the tooltip of a place on a marker's lane, or of its name."""
+    original, label = document.original, document.original.labels[marker]
+    if gap is None:
+        text = translate("TimelineTexts", "{0}: measured here") if on_lane else "{0}"
+        return text.format(label)
+    first, last = gap.start + original.first_frame, gap.stop - 1 + original.first_frame
+    if gap in document.repairs:
+        text = translate("TimelineTexts", "{0}: repaired, frames {1} to {2}")
+        return text.format(label, first, last)
+    text = translate("TimelineTexts", "{0}: missing from frame {1} to {2}, {3} frames ({4} ms)")
+    return text.format(label, first, last, gap.length, round(1000.0 * gap.length / original.rate))
+
+
+def event_tip(document: Document, event: Event) -> str:
+    """Return the tooltip of an event."""
+    original = document.original
+    return translate("TimelineTexts", "{0}, frame {1}, {2} s").format(
+        name_of(event),
+        whole_frame(event) + original.first_frame,
+        f"{event.frame / original.rate:.2f}",
+    )
+
+
+def description(document: Document, view: ViewState) -> str:
+    """Return what is under the playhead, in sentences."""
+    original, frame = document.original, view.frame
+    missing = int(np.count_nonzero(document.state[frame] == SampleState.MISSING))
+    sentences = [
+        translate("TimelineTexts", "Frame {0}, {1} s: {2} of {3} markers are missing.").format(
+            frame + original.first_frame,
+            f"{frame / original.rate:.2f}",
+            missing,
+            original.markers,
+        )
+    ]
+    if view.gap is not None:
+        tip = lane_tip(document, view.gap.marker, view.gap, on_lane=True)
+        sentences.append(translate("TimelineTexts", "Current gap: {0}.").format(tip))
+    if view.span is not None:
+        sentences.append(
+            translate("TimelineTexts", "Selected: frames {0} to {1}.").format(
+                view.span[0] + original.first_frame, view.span[1] - 1 + original.first_frame
+            )
+        )
+    return " ".join(sentences)
