@@ -224,7 +224,7 @@ def test_lanes_with_most_missing_first_is_remembered_and_keeps_its_order(
     order = shown()
     assert (np.diff(missing[order]) <= 0).all()
     assert timeline.marker_at(timeline.lane_top(order[2]) + 1) == order[2]
-    workspace.clear_fill()
+    workspace.gap_actions.reopen()
     assert shown() == order
     window.actions_by_id["most_missing_first"].setChecked(False)
     assert shown() == list(range(document.original.markers))

@@ -172,10 +172,9 @@ class Timeline(QAbstractScrollArea):
         marker = self.marker_at(event.position().y())
         if marker is None:
             return
-        if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            self._view.toggle(marker)
-        elif marker != self._view.marker:
-            self._view.select((marker,))
+        add = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        if add or self._view.picking or marker != self._view.marker:
+            self._view.click(marker, add=add)
         gap = self.gap_at(event.position())
         if gap is not None and marker in self._view.selection:
             self._view.set_gap(gap)
