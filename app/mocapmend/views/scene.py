@@ -53,7 +53,7 @@ class Scene(QWidget):
         self._size = body_size(original.points, path)
         self._path = path @ self._turn
         self._floor = floor_grid(original, self._turn, self._path, self._size)
-        self._bones = np.array(document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
+        self._take_bones()
         self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
         self._press: QPointF | None = None
@@ -70,6 +70,7 @@ class Scene(QWidget):
             document.samples_changed,
         ):
             signal.connect(self.update)
+        document.skeleton_changed.connect(self._take_bones)
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -179,6 +180,10 @@ class Scene(QWidget):
     def _aim(self) -> None:
         centre = self._path[self._view.frame] if self.follow and len(self._path) else 0.0
         self.camera.target = self._offset + centre
+
+    def _take_bones(self) -> None:
+        self._bones = np.array(self._document.skeleton.bones, dtype=np.intp).reshape(-1, 2)
+        self.update()
 
     def _project(self, points: Array) -> Array:
         return self.camera.project(points, self.width(), self.height())[0]

@@ -83,6 +83,7 @@ class Workspace(QMainWindow):
         self._panes: list[QDockWidget] = []
         self._first_layout = QByteArray()
         self._filling: Job | None = None
+        self._searching: Job | None = None
         self._arrange()
         self.repair.method_chosen.connect(self.previewer.choose)
         self.repair.left_open.clicked.connect(self._show_left_open)
@@ -97,6 +98,8 @@ class Workspace(QMainWindow):
             part.failed.connect(self.failed)
         self._show_proof()
         self._show_first_gap()
+        if document.found_skeleton is None:
+            self._search_skeleton()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -109,8 +112,20 @@ class Workspace(QMainWindow):
         self.previewer.stop()
         self.report.stop()
         self.recorder.discard()
-        if self._filling is not None:
-            self._filling.abandon()
+        for job in (self._filling, self._searching):
+            if job is not None:
+                job.abandon()
+
+    def _search_skeleton(self) -> None:
+        job = self._jobs.compute(
+            self.tr("Skeleton"),
+            engine.search_skeleton,
+            self.document.share_original(),
+            quiet=True,
+        )
+        job.finished.connect(self.document.set_skeleton)
+        job.failed.connect(self.failed)
+        self._searching = job
 
     def panes(self) -> list[QDockWidget]:
         """Return the panes around the middle, in the order in which they were made."""
