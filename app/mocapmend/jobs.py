@@ -79,8 +79,11 @@ def _get_ready() -> None:
 
 
 def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    # Not at the top: the window starts without what repairs need.
+    from mocapmend.pieces import in_pieces
+
     assert _board is not None
-    return function(*args, _board.reporter(slot))
+    return in_pieces(function(*args, _board.reporter(slot)))
 
 
 def _call_in_thread(
