@@ -24,7 +24,7 @@ class EditSamples(QUndoCommand):
         super().__init__(text)
         self._document = document
         self._after = tuple(edits)
-        self._before = tuple(document.read(edit.gap) for edit in edits)
+        self._before = tuple(document.read_runs([edit.gap for edit in edits]))
 
     @property
     def edits(self) -> tuple[Edit, ...]:

@@ -1,6 +1,6 @@
 """The open recording: the only owner and the only writer of its samples."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,15 +11,19 @@ from PySide6.QtGui import QUndoStack
 
 from mocapmend import engine
 from mocapmend.engine import Changes
-from mocapmend.files import RepairRecord, SampleRun, Source
+from mocapmend.files import RepairRecord, Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow, repair_rows
-from mocapmend.shared_recording import SharedRecording
+from mocapmend.shared_recording import Changed, SharedRecording
 from mocapmend.state import ABSENT, SampleState
+from mocapmend.working_copy import WorkingCopy
+from mocapmend.written import differing, differing_runs, places_of, shares_of
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
-from mocapmend_algorithms.gaps import runs as find_runs
 from mocapmend_algorithms.skeleton import Skeleton
+
+FILLED = np.uint8(SampleState.FILLED)
+NO_SKELETON = Skeleton("", (), "none")
 
 
 @dataclass(frozen=True)
@@ -70,7 +74,7 @@ class Edit:
         cls, patch: Patch, method: str, params: object, donors: tuple[str, ...] = ()
     ) -> "Edit":
         """Make the edit that puts a method's patch in its gap."""
-        states = np.full(patch.gap.length, SampleState.FILLED, np.uint8)
+        states = np.broadcast_to(FILLED, patch.gap.length)
         return cls(patch.gap, patch.values, states, Repair(method, params, patch, donors))
 
     @classmethod
@@ -94,15 +98,27 @@ class Document(QObject):
 
     Samples change only through `apply`, which undo commands call; every change raises `revision`
     and is announced by `samples_changed` with the tuple of changed runs.
+
+    Parameters
+    ----------
+    source : Source
+        The recording as it was read.
+    skeleton : Skeleton or None
+        Its bones; None where they are still to be found: `set_skeleton` brings them.
+    parent : QObject, optional
+        Owns the document.
     """
 
     samples_changed = Signal(tuple)
     left_open_changed = Signal()
+    skeleton_changed = Signal()
 
-    def __init__(self, source: Source, skeleton: Skeleton, parent: QObject | None = None) -> None:
+    def __init__(
+        self, source: Source, skeleton: Skeleton | None, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
         self.source = source
-        self.skeleton = skeleton
+        self.found_skeleton = skeleton
         self.undo_stack = QUndoStack(self)
         self.revision = 0
         self.original = source.measured
@@ -111,15 +127,31 @@ class Document(QObject):
         self.left_open: dict[Gap, str] = {}
         """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
         self.names = short_names(source.recording.labels)
-        self._points = source.recording.points.copy()
-        self._state = np.full(source.recording.present.shape, SampleState.MEASURED, np.uint8)
+        self._samples = WorkingCopy(source.recording.points)
+        # Trajectories are what is looked through: in memory each is one piece.
+        self._state = np.full(
+            source.recording.present.shape, SampleState.MEASURED, np.uint8, order="F"
+        )
         self._state[~source.recording.present] = SampleState.MISSING
         for gap in self.repairs:
             self._state[gap.start : gap.stop, gap.marker] = SampleState.FILLED
         self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
         self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
-        self._shared: SharedRecording | None = None
+        self._written: set[Gap] = set()
+        """Runs in which the samples may differ from those of the file."""
+        self._shared_file: SharedRecording | None = None
+        self._shared: tuple[int, SharedRecording] | None = None
         self._shared_original: SharedRecording | None = None
+
+    @property
+    def skeleton(self) -> Skeleton:
+        """The bones; none while they are still to be found."""
+        return NO_SKELETON if self.found_skeleton is None else self.found_skeleton
+
+    def set_skeleton(self, skeleton: Skeleton) -> None:
+        """Take the bones that were found after the document was opened."""
+        self.found_skeleton = skeleton
+        self.skeleton_changed.emit()
 
     @property
     def repairable(self) -> bool:
@@ -129,7 +161,7 @@ class Document(QObject):
     @property
     def points(self) -> NDArray[np.float64]:
         """Current coordinates, shape (frames, markers, 3); a read-only view that edits change."""
-        view = self._points.view()
+        view = self._samples.current.view()
         view.flags.writeable = False
         return view
 
@@ -190,16 +222,13 @@ class Document(QObject):
 
     def snapshot(self) -> Recording:
         """Return the current samples as a recording of its own."""
-        return self.original.with_points(self._points.copy())
+        return self.share().recording()
 
     def share(self) -> SharedRecording:
-        """Return the current samples for a background job; one copy serves all of a revision."""
-        if not self.repairs:
-            return self.share_original()
-        if self._shared is None or self._shared.revision != self.revision:
-            current = self.original.with_points(self.points)
-            self._shared = SharedRecording(current, self.revision)
-        return self._shared
+        """Return the current samples for a background job; all of a revision get the same."""
+        if self._shared is None or self._shared[0] != self.revision:
+            self._shared = self.revision, self._shared_with(self._written, self.points)
+        return self._shared[1]
 
     def share_original(self) -> SharedRecording:
         """Return the measured samples for a background job.
@@ -207,52 +236,58 @@ class Document(QObject):
         Fills are computed from these: from measured samples alone, never from other fills.
         """
         if self._shared_original is None:
-            self._shared_original = SharedRecording(self.original, 0)
+            self._shared_original = self._shared_with(self.source.repaired, self.original.points)
         return self._shared_original
+
+    def _shared_with(self, runs: Collection[Gap], points: NDArray[np.float64]) -> SharedRecording:
+        """Return the samples of the file, but those of some runs."""
+        recording = self.source.recording
+        if self._shared_file is None:
+            self._shared_file = SharedRecording(recording)
+        frames, markers = differing(points, recording.points, places_of(runs))
+        if not len(frames):
+            return self._shared_file
+        changed = Changed(frames, markers, points[frames, markers])
+        return self._shared_file.with_changes(changed)
 
     def read(self, gap: Gap) -> Edit:
         """Return what a run holds now, as the edit that would restore it."""
-        rows = slice(gap.start, gap.stop)
-        return Edit(
-            gap,
-            self._points[rows, gap.marker].copy(),
-            self._state[rows, gap.marker].copy(),
-            self.repairs.get(gap),
-        )
+        return next(self.read_runs((gap,)))
 
-    def apply(self, edits: Iterable[Edit]) -> None:
+    def read_runs(self, runs: Sequence[Gap]) -> Iterator[Edit]:
+        """Yield for each run what it holds now, as the edit that would restore it."""
+        places = places_of(runs)
+        values, states = self.points[places], self._state[places]
+        for gap, own in zip(runs, shares_of(runs), strict=True):
+            yield Edit(gap, values[own], states[own], self.repairs.get(gap))
+
+    def apply(self, edits: Sequence[Edit]) -> None:
         """Write runs of samples. For undo commands alone."""
-        changed = []
+        changed = tuple(edit.gap for edit in edits)
+        places = places_of(changed)
+        self._samples.writable()[places] = np.concatenate([edit.values for edit in edits])
+        self._state[places] = np.concatenate([edit.states for edit in edits])
         for edit in edits:
-            rows = slice(edit.gap.start, edit.gap.stop)
-            self._points[rows, edit.gap.marker] = edit.values
-            self._state[rows, edit.gap.marker] = edit.states
             if edit.repair is None:
                 self.repairs.pop(edit.gap, None)
             else:
                 self.repairs[edit.gap] = edit.repair
-            changed.append(edit.gap)
+        self._written.update(changed)
         for marker in {gap.marker for gap in changed}:
             self._runs[marker] = self._find_runs(marker)
             self._gaps[marker] = self._find_gaps(marker)
         self.revision += 1
-        self.samples_changed.emit(tuple(changed))
+        self.samples_changed.emit(changed)
 
     def changes(self) -> Changes:
         """Return what differs from the file, for saving.
 
         Measured samples that an open gap covers are not among it: the file keeps them.
         """
-        stored = self.source.recording.points
-        touched = sorted({gap.marker for gap in (*self.repairs, *self.source.repaired)})
-        runs = []
-        for marker in touched:
-            covered = np.isin(self._state[:, marker], ABSENT) & self.original.present[:, marker]
-            changed = _differs(self._points[:, marker], stored[:, marker]) & ~covered
-            runs += [
-                SampleRun(marker, start, self._points[start:stop, marker].copy())
-                for start, stop in find_runs(changed)
-            ]
+        frames, markers = places = places_of(self._written)
+        covered = np.isin(self._state[places], ABSENT) & self.original.present[places]
+        rest = frames[~covered], markers[~covered]
+        runs = differing_runs(self.points, self.source.recording.points, rest)
         return Changes(tuple(runs), self.records())
 
     def records(self) -> tuple[RepairRecord, ...]:
@@ -292,9 +327,3 @@ def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:
         sigma = np.full(gap.length, record.expected_error_mm / mm / np.sqrt(3.0))
         patch = Patch(gap, values, sigma, np.full(gap.length, record.r90_mm / mm))
         yield gap, Repair(record.method, record.parameters, patch, record.donors)
-
-
-def _differs(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Say which samples differ in any bit: NaN is not equal to itself."""
-    different: NDArray[np.bool_] = (one.view(np.int64) != other.view(np.int64)).any(axis=1)
-    return different

@@ -24,6 +24,7 @@ from mocapmend.files import (
     save_patched,
     write_recording,
 )
+from mocapmend.shared_memory import shared_array
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
@@ -64,6 +65,35 @@ def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     return source, skeleton
 
 
+def load_to_show(path: Path, progress: Progress) -> tuple[Source, Skeleton | None]:
+    """Read a file as `load` does, soon and for many: a search for its skeleton may come later.
+
+    Its samples are in shared memory where the system has some.
+
+    Returns
+    -------
+    source : Source
+        The recording.
+    skeleton : Skeleton or None
+        None where `search_skeleton` is to find it.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be read.
+    """
+    source = read_recording(path, shared_array)
+    progress(0.8)
+    _, complaints = user_templates.load()
+    if complaints:
+        source = replace(source, warnings=(*source.warnings, *complaints))
+    # Here and now, for the window would wait for it.
+    _ = source.recording.present, source.measured.present
+    skeleton = _stated_skeleton(source)
+    progress(1.0)
+    return source, skeleton
+
+
 def find_skeleton(source: Source, progress: Progress) -> Skeleton:
     """Find the bones: the file's own, else by known labels, else by constant distances.
 
@@ -72,10 +102,21 @@ def find_skeleton(source: Source, progress: Progress) -> Skeleton:
     return _skeleton(source, user_templates.load()[0], progress)
 
 
+def search_skeleton(recording: Recording, progress: Progress) -> Skeleton:
+    """Find the bones of a recording whose file has none, as `find_skeleton` does."""
+    return _searched(recording, user_templates.load()[0], progress)
+
+
 def _skeleton(source: Source, own: Sequence[Template], progress: Progress) -> Skeleton:
-    if source.bones:
-        return Skeleton(source.kind, source.bones, "file")
-    recording = source.recording
+    stated = _stated_skeleton(source)
+    return _searched(source.recording, own, progress) if stated is None else stated
+
+
+def _stated_skeleton(source: Source) -> Skeleton | None:
+    return Skeleton(source.kind, source.bones, "file") if source.bones else None
+
+
+def _searched(recording: Recording, own: Sequence[Template], progress: Progress) -> Skeleton:
     known = match_template(recording.labels, (*own, *skeletons.load()))
     if known is None:
         return skeleton_from_distances(recording, progress)

@@ -24,7 +24,8 @@ from pyqtgraph.util.garbage_collector import GarbageCollector
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend.errors import MocapmendError
-from mocapmend.shared_recording import start_tracker
+from mocapmend.shared_memory import start_tracker
+from mocapmend.shared_recording import SharedRecording
 from mocapmend_algorithms import Cancelled
 
 SLOTS = 32
@@ -78,8 +79,19 @@ def _get_ready() -> None:
 
 
 def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    # Not at the top: the window starts without what repairs need.
+    from mocapmend.pieces import in_pieces
+
     assert _board is not None
-    return function(*args, _board.reporter(slot))
+    return in_pieces(function(*args, _board.reporter(slot)))
+
+
+def _call_in_thread(
+    progress: Callable[[float], None], function: Callable[..., Any], args: tuple[Any, ...]
+) -> Any:
+    """Give a thread what a worker gets: recordings in place of their handles."""
+    given = (arg.recording() if isinstance(arg, SharedRecording) else arg for arg in args)
+    return function(*given, progress)
 
 
 class Job(QObject):
@@ -216,7 +228,7 @@ class Jobs(QObject):
     def read_or_write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Run `function(*args, progress)` in a thread: for files, which wait more than compute."""
         slot = self._take_slot(title)
-        future = self._threads.submit(function, *args, self._board.reporter(slot))
+        future = self._threads.submit(_call_in_thread, self._board.reporter(slot), function, args)
         return self._start(title, slot, future, args)
 
     def warm_up(self) -> None:

@@ -1,5 +1,7 @@
 """The document is changed by undo commands alone, and undo restores it to the bit."""
 
+import pickle
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -134,3 +136,46 @@ def test_one_shared_copy_serves_a_revision(document: Document) -> None:
     assert document.share_original() is shared
     document.undo_stack.undo()
     assert document.share() is shared
+
+
+def test_a_shared_snapshot_has_the_edits_of_its_time(document: Document) -> None:
+    first, second = interior(document)[:2]
+    document.undo_stack.push(fill(document, first))
+    expected = document.points.copy()
+    shared = document.share()
+    document.undo_stack.push(fill(document, second))
+    assert shared.recording().points.tobytes() == expected.tobytes()
+    received = pickle.loads(pickle.dumps(shared))
+    assert received.points.tobytes() == expected.tobytes()
+    original = document.share_original().recording()
+    assert original.points.tobytes() == document.original.points.tobytes()
+
+
+def test_points_that_were_handed_out_do_not_change_before_the_first_edit(
+    document: Document,
+) -> None:
+    gap = interior(document)[0]
+    assert np.shares_memory(document.points, document.original.points)
+    document.undo_stack.push(fill(document, gap))
+    assert not np.shares_memory(document.points, document.original.points)
+    assert np.isnan(document.original.points[gap.start, gap.marker]).all()
+
+
+def test_a_skeleton_that_comes_later_is_announced(document: Document, qtbot: QtBot) -> None:
+    later = Document(document.source, None)
+    assert later.skeleton.bones == ()
+    with qtbot.waitSignal(later.skeleton_changed):
+        later.set_skeleton(document.skeleton)
+    assert later.skeleton is document.skeleton
+    assert later.found_skeleton is document.skeleton
+
+
+def test_many_runs_are_read_as_one_by_one(document: Document) -> None:
+    gaps = interior(document)
+    document.undo_stack.push(fill(document, gaps[1]))
+    for gap, edit in zip(gaps, document.read_runs(gaps), strict=True):
+        alone = document.read(gap)
+        assert edit.gap == gap
+        assert edit.repair is alone.repair
+        assert edit.values.tobytes() == alone.values.tobytes()
+        assert edit.states.tobytes() == alone.states.tobytes()

@@ -11,6 +11,7 @@ from c3d_synthetic import Synthetic, encode, walk
 from mocapmend import engine
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, Provenance, Source, Stamp, read_c3d
+from mocapmend.shared_memory import block_of
 from mocapmend_algorithms import Cancelled, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import METHODS
@@ -177,3 +178,14 @@ def test_a_cancelled_export_leaves_no_file(holed: Path, tmp_path: Path) -> None:
             read_c3d(holed), engine.Changes((), ()), tmp_path / "out.c3d", False, False, cancel
         )
     assert [path.name for path in tmp_path.iterdir()] == ["holed.c3d"]
+
+
+def test_a_recording_to_be_shown_is_in_shared_memory_and_the_same(gait: Path) -> None:
+    expected, _ = engine.load(gait, no_progress)
+    source, skeleton = engine.load_to_show(gait, no_progress)
+    assert block_of(source.recording.points) is not None
+    assert source.recording.points.tobytes() == expected.recording.points.tobytes()
+    assert source.warnings == expected.warnings
+    assert skeleton is None
+    found = engine.search_skeleton(source.recording, no_progress)
+    assert found == engine.find_skeleton(source, no_progress)

@@ -130,7 +130,7 @@ def test_a_recording_reaches_the_worker_through_shared_memory(jobs: Jobs, qtbot:
     points = np.arange(60.0).reshape(5, 4, 3)
     points[2, 1] = np.nan
     recording = Recording(points, ("A", "B", "C", "D"), 120.0)
-    job = jobs.compute("total", total, SharedRecording(recording, 0))
+    job = jobs.compute("total", total, SharedRecording(recording))
     with qtbot.waitSignal(job.finished, timeout=20_000) as finished:
         pass
     assert finished.args[0] == (np.nansum(points), 120.0, "A")

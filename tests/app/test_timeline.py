@@ -136,6 +136,7 @@ def test_keys_select_frames_and_clear_them(workspace: Workspace, qtbot: QtBot) -
 
 def test_escape_in_a_field_leaves_the_selected_frames(workspace: Workspace, qtbot: QtBot) -> None:
     workspace.view.set_span((50, 60))
+    workspace.show_pane(workspace.markers)
     field = workspace.markers.filter
     field.setFocus()
     qtbot.waitUntil(field.hasFocus)

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 SCHEMA = 1
 BENCHES = {
     "io": "reading and saving a large C3D file, against numpy, a file copy, c3d and ezc3d",
-    "gui": "scrubbing a large recording, and the time to the first picture",
+    "gui": "speed, pauses and memory of the window, against pyqtgraph and MNE-Qt-Browser",
     "kalman": "the constant-velocity filter: a paper's experiment, and its speed beside filterpy",
     "fuzz": "damaged files: each must open or be refused, soon and without much memory",
     "poses": "sparse codes of poses: dictionary size, gap length, missing markers",

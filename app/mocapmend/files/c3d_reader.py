@@ -1,6 +1,6 @@
 """Reading C3D files: every processor, integers and floats, every way to store 'missing'."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from io import FileIO
 from pathlib import Path
@@ -35,6 +35,9 @@ from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source, truncation
 from mocapmend.files.space import length_unit
 from mocapmend_algorithms.recording import Recording
+
+Room = Callable[[tuple[int, ...]], NDArray[np.float64]]
+"""Makes an array of a shape whose values are not set."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -107,8 +110,15 @@ class C3DFile(Source):
 
 
 @np.errstate(all="ignore")
-def read_c3d(path: Path) -> C3DFile:
+def read_c3d(path: Path, room: Room = np.empty) -> C3DFile:
     """Read a C3D file.
+
+    Parameters
+    ----------
+    path : Path
+        Where it is.
+    room : callable
+        Makes the array of the coordinates, of a given shape.
 
     Raises
     ------
@@ -123,7 +133,7 @@ def read_c3d(path: Path) -> C3DFile:
         models = model_points(layout, labels)
         markers = tuple(i for i in range(layout.points) if i not in models)
         try:
-            points, residuals = _read_points(stream, layout, markers, str(path), warnings)
+            points, residuals = _read_points(stream, layout, markers, warnings, room)
         except MemoryError:
             raise too_large(str(path)) from None
     force_plates = read_force_plates(layout, warnings)
@@ -180,14 +190,14 @@ def _about_size(layout: Layout) -> Iterator[str]:
 
 
 def _read_points(
-    stream: FileIO, layout: Layout, markers: tuple[int, ...], where: str, warnings: list[str]
+    stream: FileIO, layout: Layout, markers: tuple[int, ...], warnings: list[str], room: Room
 ) -> tuple[NDArray[np.float64], NDArray[np.float32]]:
     """Read the coordinates, shape (frames, markers, 3), and the residuals."""
-    points = np.empty((layout.frames, len(markers), 3))
+    points = room((layout.frames, len(markers), 3))
     residuals = np.empty((layout.frames, len(markers)), np.float32)
     chosen = _index(markers)
     unmarked = 0
-    for first, block in read_blocks(stream, layout, where) if markers else ():
+    for first, block in read_blocks(stream, layout, str(stream.name)) if markers else ():
         words = point_words(block, layout)[:, chosen]
         here = points[first : first + len(block)]
         for axis in range(3):

@@ -74,7 +74,7 @@ class FileActions(QObject):
             self._window.say(self.tr("Still opening the file before: try again."))
             return
         title = self.tr("Opening {0}").format(path.name)
-        job = self._window.jobs.read_or_write(title, engine.load, path)
+        job = self._window.jobs.read_or_write(title, engine.load_to_show, path)
         self._loading = job
         # Later: a question must not hold up the end of the job.
         job.finished.connect(
@@ -84,7 +84,7 @@ class FileActions(QObject):
         job.failed.connect(lambda _: self._forget_if_gone(path))
         job.ended.connect(self._end_loading)
 
-    def adopt(self, source: Source, skeleton: Skeleton, journal: Path | None) -> None:
+    def adopt(self, source: Source, skeleton: Skeleton | None, journal: Path | None) -> None:
         """Show a recording that has been read, once the present one's edits are saved."""
         self.after_saving(lambda: self._show(source, skeleton, journal))
 
@@ -224,7 +224,7 @@ class FileActions(QObject):
     def _end_writing(self) -> None:
         self._writing = [job for job in self._writing if not job.over]
 
-    def _show(self, source: Source, skeleton: Skeleton, journal: Path | None) -> None:
+    def _show(self, source: Source, skeleton: Skeleton | None, journal: Path | None) -> None:
         try:
             history = self._window.show_source(source, skeleton, journal)
         except MocapmendError as error:

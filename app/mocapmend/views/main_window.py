@@ -215,14 +215,16 @@ class MainWindow(QMainWindow):
         self.files.open(path)
 
     def show_source(
-        self, source: "Source", skeleton: "Skeleton", journal: Path | None = None
+        self, source: "Source", skeleton: "Skeleton | None", journal: Path | None = None
     ) -> "History | None":
         """Show a recording that has been read in place of the present one.
 
         Parameters
         ----------
-        source, skeleton : Source, Skeleton
+        source : Source
             The recording.
+        skeleton : Skeleton or None
+            Its bones; None where they are still to be found.
         journal : Path, optional
             Of edits that are to be recovered.
 

@@ -81,7 +81,7 @@ class Recovery(QObject):
         workspace = self._window.workspace
         if workspace is not None and abandoned.belongs_to(workspace.document.source):
             document = workspace.document
-            self._files.adopt(document.source, document.skeleton, abandoned.journal)
+            self._files.adopt(document.source, document.found_skeleton, abandoned.journal)
         elif path.exists():
             self._files.open(path, abandoned.journal)
         else:

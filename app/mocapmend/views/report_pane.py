@@ -68,8 +68,10 @@ class ReportPane(QWidget):
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY_MS)
         self._timer.timeout.connect(self._compute)
-        self._timer.start()
+        if document.found_skeleton is not None:
+            self._timer.start()
         document.samples_changed.connect(self._timer.start)
+        document.skeleton_changed.connect(self._timer.start)
         view.frame_changed.connect(self._move_playheads)
 
     def set_theme(self, theme: Theme) -> None:

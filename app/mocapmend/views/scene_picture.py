@@ -74,6 +74,7 @@ class ScenePicture(QWidget):
         self._grid = grid @ self._turn.T
         self._plates = plate_outlines(document.source.force_plates)
         self._take_bones()
+        document.skeleton_changed.connect(self._take_bones)
         self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
         self._box: QRectF | None = None

@@ -13,7 +13,7 @@ from mocapmend import engine
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.files import C3DFile
-from mocapmend.jobs import Jobs
+from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import in_time_order
 from mocapmend.prospects import Prospects
@@ -111,11 +111,12 @@ class Workspace(QMainWindow):
         self._exported: engine.Exported | None = None
         self._panes: list[QDockWidget] = []
         self._first_layout = QByteArray()
+        self._searching: Job | None = None
         self._arrange()
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
-        self.filling.started.connect(lambda: self.repair.show_filling(running=True))
-        self.filling.ended.connect(lambda: self.repair.show_filling(running=False))
+        self.filling.started.connect(self._show_filling)
+        self.filling.ended.connect(self._show_filling)
         self.filling.done.connect(self._show_done)
         self.survey.advanced.connect(self._lead)
         self._preview()
@@ -134,6 +135,8 @@ class Workspace(QMainWindow):
         self._show_first_gap()
         if settings.get(RANKING):
             self.survey.start()
+        if document.found_skeleton is None:
+            self._search_skeleton()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -152,6 +155,19 @@ class Workspace(QMainWindow):
         if self.analog is not None:
             self.analog.stop()
         self.recorder.discard()
+        if self._searching is not None:
+            self._searching.abandon()
+
+    def _search_skeleton(self) -> None:
+        job = self._jobs.compute(
+            self.tr("Skeleton"),
+            engine.search_skeleton,
+            self.document.share_original(),
+            quiet=True,
+        )
+        job.finished.connect(self.document.set_skeleton)
+        job.failed.connect(self.failed)
+        self._searching = job
 
     def panes(self) -> list[QDockWidget]:
         """Return the panes around the middle, in the order in which they were made."""
@@ -222,6 +238,9 @@ class Workspace(QMainWindow):
         if on and not self.repair.takes_donors:
             self.message.emit(self.tr("This method takes no donors."))
         self.view.set_picking(on and self.repair.takes_donors)
+
+    def _show_filling(self) -> None:
+        self.repair.show_filling(running=self.filling.job is not None)
 
     def _show_done(self, filled: int, left: int) -> None:
         text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)

@@ -4,7 +4,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from mocapmend.files.c3d_reader import C3DFile, read_c3d
+import numpy as np
+
+from mocapmend.files.c3d_reader import Room, read_c3d
 from mocapmend.files.formats.amc import read_amc
 from mocapmend.files.formats.bvh import read_bvh
 from mocapmend.files.formats.delimited import read_delimited
@@ -43,8 +45,16 @@ FORMATS: tuple[Format, ...] = (
 )
 
 
-def read_recording(path: Path) -> Source:
+def read_recording(path: Path, room: Room = np.empty) -> Source:
     """Read a recording of any format, by the ending of its name; others are taken for C3D.
+
+    Parameters
+    ----------
+    path : Path
+        Where it is.
+    room : callable
+        Makes the array of the coordinates of a C3D file, of a given shape; other formats, whose
+        files are smaller and slower to read, make their own.
 
     Raises
     ------
@@ -54,5 +64,6 @@ def read_recording(path: Path) -> Source:
     path = Path(path)
     suffix = path.suffix.lower()
     found = next((item for item in FORMATS if suffix in item.suffixes), FORMATS[0])
-    source = found.read(path)
-    return source if isinstance(source, C3DFile) else with_repairs(source)
+    if found is FORMATS[0]:
+        return read_c3d(path, room)
+    return with_repairs(found.read(path))

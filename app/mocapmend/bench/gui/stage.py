@@ -1,0 +1,126 @@
+"""The window that is measured, and waiting for it."""
+
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QEventLoop, QSettings, QTimer
+from PySide6.QtWidgets import QApplication
+
+from mocapmend.errors import MocapmendError
+from mocapmend.jobs import WORKERS
+from mocapmend.settings import Settings
+from mocapmend.views.application import make_application
+from mocapmend.views.main_window import MainWindow
+from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms import Progress
+
+T = TypeVar("T")
+
+SIZE = (1600, 950)
+PLOTS = 12
+SHOWN = (3, 30, 60, 90)
+"""Four markers: twelve plots."""
+PATIENCE_S = 300.0
+LOOK_MS = 5
+REST_S = 0.3
+
+
+def rest(progress: Progress) -> None:
+    """Keep a worker from all else for a while."""
+    time.sleep(REST_S)
+    progress(1.0)
+
+
+@contextmanager
+def window() -> Iterator[MainWindow]:
+    """Show the program's window, with settings of its own, its workers ready."""
+    app = make_application()
+    with tempfile.TemporaryDirectory(prefix="mocapmend-bench-") as folder:
+        store = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings = Settings(store)
+        shown = MainWindow(settings)
+        shown.resize(*SIZE)
+        shown.show()
+        shown.get_ready()
+        app.processEvents()
+        # As many as there are workers: each has loaded what it needs then.
+        for _ in range(WORKERS):
+            shown.jobs.compute("Ready", rest)
+        wait_until(lambda: shown.jobs.running == 0)
+        try:
+            yield shown
+        finally:
+            if shown.workspace is not None:
+                shown.workspace.document.undo_stack.setClean()
+            shown.close()
+
+
+def opened(shown: MainWindow, path: Path) -> Workspace:
+    """Open a recording as the user does, and return what shows it when all is at rest."""
+    before = shown.workspace
+    shown.open(path)
+    wait_until(lambda: shown.workspace is not before)
+    workspace = shown.workspace
+    assert workspace is not None
+    settle(workspace, shown)
+    return workspace
+
+
+def settle(workspace: Workspace, shown: MainWindow) -> None:
+    """Wait until the report is there and nothing goes on."""
+    wait_until(lambda: workspace.report.report is not None and shown.jobs.running == 0)
+
+
+def show_plots(workspace: Workspace) -> None:
+    """Show twelve plots.
+
+    Raises
+    ------
+    MocapmendError
+        If there is no room for them.
+    """
+    workspace.trajectories.set_separate(on=True)
+    markers = workspace.document.original.markers
+    workspace.view.select(tuple(marker % markers for marker in SHOWN))
+    limit = time.perf_counter() + 10.0
+    wait_until(lambda: len(workspace.trajectories.lanes()) >= PLOTS or time.perf_counter() > limit)
+    if len(workspace.trajectories.lanes()) < PLOTS:
+        raise MocapmendError(
+            "The screen is too small for 12 plots.",
+            "bench gui",
+            "Use QT_QPA_PLATFORM=offscreen.",
+        )
+
+
+def wait_until(done: Callable[[], bool]) -> None:
+    """Let the event loop run until something is so.
+
+    Raises
+    ------
+    MocapmendError
+        If it never comes to be so.
+    """
+    limit = time.perf_counter() + PATIENCE_S
+    loop = QEventLoop()
+    look = QTimer()
+    look.setInterval(LOOK_MS)
+    look.timeout.connect(lambda: loop.quit() if done() or time.perf_counter() > limit else None)
+    look.start()
+    loop.exec()
+    if not done():
+        raise MocapmendError("The window does not come to rest.", "bench gui", "Retry.")
+
+
+def steps_per_second(step: Callable[[T], object], values: Sequence[T]) -> float:
+    """Return the rate at which steps are made and painted."""
+    app = QApplication.instance()
+    assert app is not None
+    start = time.perf_counter()
+    for value in values:
+        step(value)
+        app.processEvents()
+    return len(values) / (time.perf_counter() - start)
