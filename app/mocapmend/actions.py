@@ -1,6 +1,6 @@
 """The one table of actions and shortcuts: it makes menus, toolbar and the shortcut help."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -28,21 +28,24 @@ class ActionSpec:
     keys : tuple
         Shortcuts: standard keys, so that each platform has its own, or texts.
     needs : str
-        "nothing", "document" (any open file), "c3d" (one of that format), or "markers" (a file
-        that has some).
+        "nothing", "document" (any open file), "c3d" (one of that format), "markers" (a file
+        that has some), or "several" (open files).
     checkable : bool
         Whether it switches something on and off.
     starts_group : bool
         Whether the menu draws a line above it.
+    submenu : str
+        What the user reads of the menu inside the menu that holds it, if there is one.
     """
 
     id: str
     menu: Menu
     text: str
     keys: tuple[str | QKeySequence.StandardKey, ...] = ()
-    needs: Literal["nothing", "document", "c3d", "markers"] = "markers"
+    needs: Literal["nothing", "document", "c3d", "markers", "several"] = "markers"
     checkable: bool = False
     starts_group: bool = False
+    submenu: str = ""
 
 
 _Key = QKeySequence.StandardKey
@@ -193,13 +196,93 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "show_report", "View", QT_TRANSLATE_NOOP("Actions", "Go to the report"), ("Ctrl+3",)
     ),
     ActionSpec(
-        "theme",
+        "show_history",
         "View",
-        QT_TRANSLATE_NOOP("Actions", "Light theme"),
+        QT_TRANSLATE_NOOP("Actions", "Go to the history"),
+        ("Ctrl+Shift+H",),
+    ),
+    ActionSpec(
+        "next_document",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Next recording"),
+        ("Ctrl+Tab", "Ctrl+PgDown"),
+        "several",
+        starts_group=True,
+    ),
+    ActionSpec(
+        "previous_document",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Previous recording"),
+        ("Ctrl+Shift+Tab", "Ctrl+PgUp"),
+        "several",
+    ),
+    ActionSpec(
+        "theme_system",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "As the system"),
         (),
         "nothing",
         checkable=True,
         starts_group=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
+    ),
+    ActionSpec(
+        "theme_light",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Light"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
+    ),
+    ActionSpec(
+        "theme_dark",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Dark"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
+    ),
+    ActionSpec(
+        "text_larger",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Larger"),
+        ("Ctrl++", "Ctrl+="),
+        "nothing",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Text size"),
+    ),
+    ActionSpec(
+        "text_smaller",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Smaller"),
+        ("Ctrl+-",),
+        "nothing",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Text size"),
+    ),
+    ActionSpec(
+        "text_normal",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Normal"),
+        ("Ctrl+0",),
+        "nothing",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Text size"),
+    ),
+    ActionSpec(
+        "save_layout",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Save this layout…"),
+        (),
+        "markers",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Layouts"),
+    ),
+    ActionSpec(
+        "first_layout",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Arrange as at first"),
+        (),
+        "markers",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Layouts"),
     ),
     ActionSpec(
         "shortcuts",
@@ -208,6 +291,14 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("?", "F1"),
         "nothing",
     ),
+    ActionSpec(
+        "palette",
+        "Help",
+        QT_TRANSLATE_NOOP("Actions", "Find an action…"),
+        ("Ctrl+Shift+P",),
+        "nothing",
+    ),
+    ActionSpec("tour", "Help", QT_TRANSLATE_NOOP("Actions", "Tour"), (), "nothing"),
     ActionSpec("log", "Help", QT_TRANSLATE_NOOP("Actions", "Show the log file"), (), "nothing"),
     ActionSpec("about", "Help", QT_TRANSLATE_NOOP("Actions", "About mocapmend"), (), "nothing"),
 )
@@ -218,18 +309,34 @@ def text_of(spec: ActionSpec) -> str:
     return QCoreApplication.translate("Actions", spec.text)
 
 
+def submenu_of(spec: ActionSpec) -> str:
+    """Return what the user reads of an action's submenu, in the user's language."""
+    return QCoreApplication.translate("Actions", spec.submenu) if spec.submenu else ""
+
+
+def standard_keys(spec: ActionSpec) -> list[QKeySequence]:
+    """Return the keys of the table."""
+    # By their texts: a key that is listed twice is ambiguous, and then does nothing.
+    sequences = [QKeySequence(key) for key in spec.keys]
+    # Some platforms have no key for some standard keys.
+    return list({keys.toString(): keys for keys in sequences if not keys.isEmpty()}.values())
+
+
+def set_keys(spec: ActionSpec, action: QAction, keys: Sequence[QKeySequence]) -> None:
+    """Give an action keys, and a tool tip that tells them."""
+    action.setShortcuts(keys)
+    texts = ", ".join(key_texts(action))
+    action.setToolTip(f"{text_of(spec)} ({texts})" if texts else text_of(spec))
+
+
 def make_actions(parent: QObject) -> Mapping[str, QAction]:
     """Make the QAction of every entry of the table."""
     made = {}
     for spec in ACTIONS:
         action = QAction(text_of(spec), parent)
         action.setObjectName(spec.id)
-        # By their texts: a key that is listed twice is ambiguous, and then does nothing.
-        sequences = [QKeySequence(key) for key in spec.keys]
-        action.setShortcuts(list({keys.toString(): keys for keys in sequences}.values()))
         action.setCheckable(spec.checkable)
-        keys = ", ".join(key_texts(action))
-        action.setToolTip(f"{text_of(spec)} ({keys})" if keys else text_of(spec))
+        set_keys(spec, action, standard_keys(spec))
         made[spec.id] = action
     return made
 

@@ -5,8 +5,28 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from mocapmend.views.file_actions import FileActions
+    from mocapmend.views.main_window import MainWindow
     from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
+
+WINDOW_COMMANDS: "dict[str, Callable[[MainWindow], object]]" = {
+    "quit": lambda m: m.close(),
+    "next_document": lambda m: m.documents.step(1),
+    "previous_document": lambda m: m.documents.step(-1),
+    "save_layout": lambda m: m.layouts.ask_and_save(),
+    "theme_system": lambda m: m.appearance.choose("system"),
+    "theme_light": lambda m: m.appearance.choose("light"),
+    "theme_dark": lambda m: m.appearance.choose("dark"),
+    "text_larger": lambda m: m.appearance.step_text(1),
+    "text_smaller": lambda m: m.appearance.step_text(-1),
+    "text_normal": lambda m: m.appearance.step_text(0),
+    "shortcuts": lambda m: m.show_shortcuts(),
+    "palette": lambda m: m.show_palette(),
+    "tour": lambda m: m.start_tour(),
+    "log": lambda m: m.show_log(),
+    "about": lambda m: m.show_about(),
+}
+"""By action id."""
 
 FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
     "open": lambda f: f.ask_and_open(),
@@ -48,9 +68,11 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "zoom_in": lambda w: w.zoom_time(0.5),
     "zoom_out": lambda w: w.zoom_time(2.0),
     "zoom_all": lambda w: w.zoom_all(),
+    "first_layout": lambda w: w.restore_first_layout(),
     "show_timeline": lambda w: w.show_pane(w.timeline),
     "show_repairs": lambda w: w.show_pane(w.repairs),
     "show_report": lambda w: w.show_pane(w.report),
+    "show_history": lambda w: w.show_pane(w.history),
     "view_front": lambda w: w.scene.look("front"),
     "view_back": lambda w: w.scene.look("back"),
     "view_left": lambda w: w.scene.look("left"),

@@ -18,6 +18,7 @@ from mocapmend.report import About
 from mocapmend.settings import LAYOUT, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.dialogs import left_open_dialog
+from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.player import Player
 from mocapmend.views.previewer import Previewer
@@ -32,7 +33,7 @@ from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, default_frames
 from mocapmend_algorithms.fill.registry import method_label
 
-LAYOUT_VERSION = 2
+LAYOUT_VERSION = 3
 TAB_HEIGHT = 36
 
 
@@ -76,11 +77,13 @@ class Workspace(QMainWindow):
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
         self.report = ReportPane(document, self.view, jobs, theme, actions)
+        self.history = HistoryPane(document.undo_stack)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._left_open: tuple[Unfilled, ...] = ()
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._panes: list[QDockWidget] = []
+        self._put_away: list[QWidget] = []
         self._first_layout = QByteArray()
         self._filling: Job | None = None
         self._arrange()
@@ -112,6 +115,11 @@ class Workspace(QMainWindow):
         if self._filling is not None:
             self._filling.abandon()
 
+    @property
+    def saved(self) -> bool:
+        """Whether all edits are exported."""
+        return self.document.undo_stack.isClean()
+
     def panes(self) -> list[QDockWidget]:
         """Return the panes around the middle, in the order in which they were made."""
         return self._panes
@@ -137,7 +145,37 @@ class Workspace(QMainWindow):
     def save_layout(self) -> None:
         """Remember where the panes are."""
         if self.arranged:
-            self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
+            self._settings.set(LAYOUT, self.layout_state())
+
+    def layout_state(self) -> bytes:
+        """Return where the panes are."""
+        return bytes(self.saveState(LAYOUT_VERSION).data())
+
+    def restore_layout(self, state: bytes) -> bool:
+        """Put the panes where `layout_state` had them; False if it is of another version."""
+        return self.restoreState(state, LAYOUT_VERSION)
+
+    def leave(self) -> None:
+        """Stand back: another recording is looked at."""
+        self.player.pause()
+        self.save_layout()
+        children = Qt.FindChildOption.FindDirectChildrenOnly
+        # Panes that float and dialogs are windows: they do not go with what they belong to.
+        self._put_away = [
+            each
+            for each in self.findChildren(QWidget, options=children)
+            if each.isWindow() and each.isVisible()
+        ]
+        for window in self._put_away:
+            window.hide()
+
+    def enter(self) -> None:
+        """Come to the front again, with the panes where the user had them last."""
+        for window in self._put_away:
+            window.show()
+        self._put_away = []
+        if self.arranged:
+            self.restore_layout(self._settings.get(LAYOUT))
 
     # --- gaps --------------------------------------------------------------------------------
 
@@ -363,11 +401,15 @@ class Workspace(QMainWindow):
             "repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea
         )
         report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        for tabbed in (timeline, repairs, report):
+        history = self._dock(
+            "history", self.tr("History"), self.history, areas.BottomDockWidgetArea
+        )
+        for tabbed in (timeline, repairs, report, history):
             # The tab says the name already.
             tabbed.setTitleBarWidget(QWidget())
         self.tabifyDockWidget(timeline, repairs)
         self.tabifyDockWidget(repairs, report)
+        self.tabifyDockWidget(report, history)
         timeline.raise_()
 
     def showEvent(self, event: QShowEvent) -> None:
