@@ -125,16 +125,19 @@ def test_the_size_has_limits_and_is_remembered(window: MainWindow, settings: Set
     assert QApplication.font().pointSizeF() == pytest.approx(2.0 * normal)
 
 
-def test_tables_grow_with_their_text(
+def test_tables_and_panes_grow_with_their_text(
     open_in: Callable[[Path], MainWindow], gait: Path, qtbot: QtBot
 ) -> None:
     window = open_in(gait)
     assert window.workspace is not None
     table: QTableView = window.workspace.markers.table
-    height, width = table.rowHeight(0), table.columnWidth(1)
+    qtbot.waitUntil(lambda: window.workspace.arranged)
+    pane = window.workspace.panes()[0]
+    height, width, room = table.rowHeight(0), table.columnWidth(1), pane.width()
     for _ in range(3):
         window.appearance.step_text(1)
     qtbot.waitUntil(lambda: table.rowHeight(0) >= height * 1.3)
+    qtbot.waitUntil(lambda: pane.width() >= room * 1.3)
     assert table.columnWidth(1) >= width * 1.3
     window.appearance.step_text(0)
     qtbot.waitUntil(lambda: (table.rowHeight(0), table.columnWidth(1)) == (height, width))

@@ -20,6 +20,7 @@ from mocapmend.theme import Theme
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
+from mocapmend.views.pane_widths import PaneWidths
 from mocapmend.views.player import Player
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.repair_panel import RepairPanel
@@ -87,6 +88,7 @@ class Workspace(QMainWindow):
         self._first_layout = QByteArray()
         self._filling: Job | None = None
         self._arrange()
+        PaneWidths(self)
         self.repair.method_chosen.connect(self.previewer.choose)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.previewer.choose(*self.repair.method())
