@@ -57,6 +57,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         store = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         window = MainWindow(Settings(store))
+        window.appearance.choose("dark")
         window.resize(*SIZE)
         window.show()
         app.processEvents()
@@ -69,7 +70,7 @@ def main() -> None:
         shoot(window, "preview")
         workspace.fill_all()
         wait_until(lambda: workspace.document.undo_stack.count() > 0)
-        window.actions_by_id["theme"].setChecked(True)
+        window.appearance.choose("light")
         workspace.zoom_all()
         dock = workspace.findChild(QDockWidget, "report")
         assert dock is not None
@@ -77,7 +78,7 @@ def main() -> None:
         before = workspace.report.report
         wait_until(lambda: workspace.report.report is not before)
         shoot(window, "report")
-        window.actions_by_id["theme"].setChecked(False)
+        window.appearance.choose("dark")
         dock = workspace.findChild(QDockWidget, "repairs")
         assert dock is not None
         dock.raise_()

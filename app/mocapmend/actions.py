@@ -1,6 +1,6 @@
 """The one table of actions and shortcuts: it makes menus, toolbar and the shortcut help."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -28,24 +28,27 @@ class ActionSpec:
     keys : tuple
         Shortcuts: standard keys, so that each platform has its own, or texts.
     needs : str
-        "nothing", "document" (any open file), "c3d" (one of that format), or "markers" (a file
-        that has some).
+        "nothing", "document" (any open file), "c3d" (one of that format), "markers" (a file
+        that has some), or "several" (open files).
     checkable : bool
         Whether it switches something on and off.
     starts_group : bool
         Whether the menu draws a line above it.
     number : int
         Stands for {0} in the text.
+    submenu : str
+        What the user reads of the menu inside the menu that holds it, if there is one.
     """
 
     id: str
     menu: Menu
     text: str
     keys: tuple[str | QKeySequence.StandardKey, ...] = ()
-    needs: Literal["nothing", "document", "c3d", "markers"] = "markers"
+    needs: Literal["nothing", "document", "c3d", "markers", "several"] = "markers"
     checkable: bool = False
     starts_group: bool = False
     number: int = 0
+    submenu: str = ""
 
 
 _Key = QKeySequence.StandardKey
@@ -160,8 +163,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
             "Repair",
             QT_TRANSLATE_NOOP("Actions", "Choose repair {0}"),
             (str(number),),
-            starts_group=number == 1,
             number=number,
+            submenu=QT_TRANSLATE_NOOP("Actions", "Choose repair"),
         )
         for number in range(1, 9)
     ),
@@ -241,36 +244,97 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("Shift+L",),
         checkable=True,
     ),
-    ActionSpec("view_front", "View", QT_TRANSLATE_NOOP("Actions", "Front view"), ("Alt+1",)),
-    ActionSpec("view_back", "View", QT_TRANSLATE_NOOP("Actions", "Back view"), ("Alt+2",)),
-    ActionSpec("view_left", "View", QT_TRANSLATE_NOOP("Actions", "Left view"), ("Alt+3",)),
-    ActionSpec("view_right", "View", QT_TRANSLATE_NOOP("Actions", "Right view"), ("Alt+4",)),
-    ActionSpec("view_top", "View", QT_TRANSLATE_NOOP("Actions", "Top view"), ("Alt+5",)),
-    ActionSpec("view_oblique", "View", QT_TRANSLATE_NOOP("Actions", "Oblique view"), ("Alt+6",)),
+    ActionSpec(
+        "view_front",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Front view"),
+        ("Alt+1",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "view_back",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Back view"),
+        ("Alt+2",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "view_left",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Left view"),
+        ("Alt+3",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "view_right",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Right view"),
+        ("Alt+4",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "view_top",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Top view"),
+        ("Alt+5",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "view_oblique",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Oblique view"),
+        ("Alt+6",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
     ActionSpec(
         "turn_left",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Look from further left"),
         ("Alt+Left",),
         starts_group=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
     ),
     ActionSpec(
         "turn_right",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Look from further right"),
         ("Alt+Right",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
     ),
-    ActionSpec("turn_up", "View", QT_TRANSLATE_NOOP("Actions", "Look from higher up"), ("Alt+Up",)),
     ActionSpec(
-        "turn_down", "View", QT_TRANSLATE_NOOP("Actions", "Look from lower down"), ("Alt+Down",)
+        "turn_up",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Look from higher up"),
+        ("Alt+Up",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
     ),
-    ActionSpec("nearer", "View", QT_TRANSLATE_NOOP("Actions", "Nearer"), ("Alt++", "Alt+=")),
-    ActionSpec("farther", "View", QT_TRANSLATE_NOOP("Actions", "Farther"), ("Alt+-",)),
+    ActionSpec(
+        "turn_down",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Look from lower down"),
+        ("Alt+Down",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "nearer",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Nearer"),
+        ("Alt++", "Alt+="),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
+    ActionSpec(
+        "farther",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Farther"),
+        ("Alt+-",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
+    ),
     ActionSpec(
         "centre_marker",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Centre the current marker"),
         ("Alt+0",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Look from"),
     ),
     ActionSpec(
         "follow",
@@ -279,9 +343,15 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("F",),
         checkable=True,
         starts_group=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
-        "labels", "View", QT_TRANSLATE_NOOP("Actions", "Marker labels"), ("L",), checkable=True
+        "labels",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Marker labels"),
+        ("L",),
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "trails",
@@ -289,6 +359,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Trail of the selection"),
         ("T",),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "all_trails",
@@ -296,18 +367,21 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Trails of all markers"),
         ("Shift+T",),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "longer_trails",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Longer trails"),
         ("Ctrl+T",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "shorter_trails",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Shorter trails"),
         ("Ctrl+Shift+T",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "sticks",
@@ -316,6 +390,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("K",),
         checkable=True,
         starts_group=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "segments",
@@ -323,6 +398,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Segments"),
         ("Shift+K",),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "ground",
@@ -330,6 +406,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Ground grid"),
         (),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "plates",
@@ -337,6 +414,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Force plates"),
         (),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "before_after",
@@ -344,6 +422,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Before and after the edits"),
         ("C",),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "measure",
@@ -351,6 +430,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Measure the selection"),
         ("R",),
         checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(
         "zoom_in",
@@ -383,30 +463,127 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "View",
         QT_TRANSLATE_NOOP("Actions", "Go to the timeline"),
         ("Ctrl+1",),
-        starts_group=True,
+        starts_group=False,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
     ActionSpec(
-        "show_repairs", "View", QT_TRANSLATE_NOOP("Actions", "Go to the repairs"), ("Ctrl+2",)
+        "show_repairs",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the repairs"),
+        ("Ctrl+2",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
     ActionSpec(
-        "show_report", "View", QT_TRANSLATE_NOOP("Actions", "Go to the report"), ("Ctrl+3",)
+        "show_report",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the report"),
+        ("Ctrl+3",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
-    ActionSpec("show_queue", "View", QT_TRANSLATE_NOOP("Actions", "Go to the queue"), ("Ctrl+4",)),
+    ActionSpec(
+        "show_queue",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the queue"),
+        ("Ctrl+4",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
+    ),
     ActionSpec(
         "show_analog",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Go to the analog channels"),
         ("Ctrl+5",),
         "document",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
     ActionSpec(
-        "theme",
+        "show_history",
         "View",
-        QT_TRANSLATE_NOOP("Actions", "Light theme"),
+        QT_TRANSLATE_NOOP("Actions", "Go to the history"),
+        ("Ctrl+Shift+H",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
+    ),
+    ActionSpec(
+        "next_document",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Next recording"),
+        ("Ctrl+Tab", "Ctrl+PgDown"),
+        "several",
+        starts_group=True,
+    ),
+    ActionSpec(
+        "previous_document",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Previous recording"),
+        ("Ctrl+Shift+Tab", "Ctrl+PgUp"),
+        "several",
+    ),
+    ActionSpec(
+        "theme_system",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "As the system"),
         (),
         "nothing",
         checkable=True,
         starts_group=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
+    ),
+    ActionSpec(
+        "theme_light",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Light"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
+    ),
+    ActionSpec(
+        "theme_dark",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Dark"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
+    ),
+    ActionSpec(
+        "text_larger",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Larger"),
+        ("Ctrl++", "Ctrl+="),
+        "nothing",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Text size"),
+    ),
+    ActionSpec(
+        "text_smaller",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Smaller"),
+        ("Ctrl+-",),
+        "nothing",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Text size"),
+    ),
+    ActionSpec(
+        "text_normal",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Normal"),
+        ("Ctrl+0",),
+        "nothing",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Text size"),
+    ),
+    ActionSpec(
+        "save_layout",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Save this layout…"),
+        (),
+        "markers",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Layouts"),
+    ),
+    ActionSpec(
+        "first_layout",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Arrange as at first"),
+        (),
+        "markers",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Layouts"),
     ),
     ActionSpec("next_plots", "Plots", QT_TRANSLATE_NOOP("Actions", "Next set of plots"), ("V",)),
     ActionSpec(
@@ -453,6 +630,14 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("?", "F1"),
         "nothing",
     ),
+    ActionSpec(
+        "palette",
+        "Help",
+        QT_TRANSLATE_NOOP("Actions", "Find an action…"),
+        ("Ctrl+Shift+P",),
+        "nothing",
+    ),
+    ActionSpec("tour", "Help", QT_TRANSLATE_NOOP("Actions", "Tour"), (), "nothing"),
     ActionSpec("log", "Help", QT_TRANSLATE_NOOP("Actions", "Show the log file"), (), "nothing"),
     ActionSpec("about", "Help", QT_TRANSLATE_NOOP("Actions", "About mocapmend"), (), "nothing"),
 )
@@ -463,18 +648,34 @@ def text_of(spec: ActionSpec) -> str:
     return QCoreApplication.translate("Actions", spec.text).format(spec.number)
 
 
+def submenu_of(spec: ActionSpec) -> str:
+    """Return what the user reads of an action's submenu, in the user's language."""
+    return QCoreApplication.translate("Actions", spec.submenu) if spec.submenu else ""
+
+
+def standard_keys(spec: ActionSpec) -> list[QKeySequence]:
+    """Return the keys of the table."""
+    # By their texts: a key that is listed twice is ambiguous, and then does nothing.
+    sequences = [QKeySequence(key) for key in spec.keys]
+    # Some platforms have no key for some standard keys.
+    return list({keys.toString(): keys for keys in sequences if not keys.isEmpty()}.values())
+
+
+def set_keys(spec: ActionSpec, action: QAction, keys: Sequence[QKeySequence]) -> None:
+    """Give an action keys, and a tool tip that tells them."""
+    action.setShortcuts(keys)
+    texts = ", ".join(key_texts(action))
+    action.setToolTip(f"{text_of(spec)} ({texts})" if texts else text_of(spec))
+
+
 def make_actions(parent: QObject) -> Mapping[str, QAction]:
     """Make the QAction of every entry of the table."""
     made = {}
     for spec in ACTIONS:
         action = QAction(text_of(spec), parent)
         action.setObjectName(spec.id)
-        # By their texts: a key that is listed twice is ambiguous, and then does nothing.
-        sequences = [QKeySequence(key) for key in spec.keys]
-        action.setShortcuts(list({keys.toString(): keys for keys in sequences}.values()))
         action.setCheckable(spec.checkable)
-        keys = ", ".join(key_texts(action))
-        action.setToolTip(f"{text_of(spec)} ({keys})" if keys else text_of(spec))
+        set_keys(spec, action, standard_keys(spec))
         made[spec.id] = action
     return made
 

@@ -21,7 +21,14 @@ class Setting(Generic[Value]):
     default: Value
 
 
-THEME = Setting("window/theme", "dark")
+THEME = Setting("window/theme", "system")
+TEXT_SIZE = Setting("window/text_size", 1.0)
+"""As a multiple of what the system has."""
+TOUR_SHOWN = Setting(key="window/tour_shown", default=False)
+SHORTCUTS = Setting[dict[str, object]]("keys/chosen", {})
+"""Lists of keys by action id, for the actions whose keys the user has changed."""
+LAYOUTS = Setting[dict[str, object]]("window/layouts", {})
+"""States of the panes in base 64, by the names that the user gave them."""
 GEOMETRY = Setting("window/geometry", b"")
 LAYOUT = Setting("window/layout", b"")
 RECENT_FILES = Setting[list[str]]("files/recent", [])

@@ -1,7 +1,7 @@
 """Colours of the window, light and dark, from one place.
 
-The colours of states are those of Okabe and Ito (2008), which colour-blind people can tell apart;
-the curves of markers keep clear of them.
+The colours of states are those of Okabe and Ito (2008), which colour-blind people can tell apart,
+darker where the ground is light; the curves of markers keep clear of them.
 """
 
 from dataclasses import dataclass
@@ -52,7 +52,7 @@ DARK = Theme(
     dim="#98a0ab",
     line="#3a3f48",
     accent="#3d8bfd",
-    on_accent="#ffffff",
+    on_accent="#0b0f16",
     playhead="#ffffff",
     bone="#5f6875",
     marker="#c9d1db",
@@ -75,29 +75,29 @@ LIGHT = Theme(
     base="#ffffff",
     raised="#e7e9ed",
     text="#1c2026",
-    dim="#626b78",
+    dim="#5e6774",
     line="#d3d7dd",
     accent="#0b63d6",
     on_accent="#ffffff",
     playhead="#14171b",
-    bone="#a4acb8",
+    bone="#87909d",
     marker="#424a56",
     preview="#a84d00",
     gap_shade="#40e69f00",
     fill_shade="#300072b2",
     states=(
         (SampleState.MEASURED, "#d9dde3"),
-        (SampleState.MISSING, "#e69f00"),
-        (SampleState.BAD, "#d55e00"),
+        (SampleState.MISSING, "#c07c00"),
+        (SampleState.BAD, "#b03a00"),
         (SampleState.FILLED, "#0072b2"),
-        (SampleState.NEVER, "#b49a63"),
+        (SampleState.NEVER, "#9a7d40"),
     ),
     curves=("#00805c", "#a3457a", "#4553c4", "#424a56", "#b4532a", "#5c7a00"),
 )
 
 THEMES: dict[str, Theme] = {theme.name: theme for theme in (DARK, LIGHT)}
 
-AXIS_COLOURS = ("#e0524d", "#3fae5a", "#4b8bf0")
+AXIS_COLOURS = ("#e0524d", "#2f9a4c", "#4b8bf0")
 
 
 def palette(theme: Theme) -> QPalette:
@@ -114,7 +114,7 @@ def palette(theme: Theme) -> QPalette:
         role.Text: theme.text,
         role.Button: theme.raised,
         role.ButtonText: theme.text,
-        role.BrightText: theme.on_accent,
+        role.BrightText: theme.text,
         role.Highlight: theme.accent,
         role.HighlightedText: theme.on_accent,
         role.Link: theme.accent,

@@ -28,7 +28,7 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*args: object) -> None:
         raise AssertionError(f"a dialog was opened, and the test has no answer for it: {args}")
 
-    for name in ("getOpenFileName", "getSaveFileName"):
+    for name in ("getOpenFileName", "getOpenFileNames", "getSaveFileName"):
         monkeypatch.setattr(QFileDialog, name, refuse)
     for name in ("exec", "about", "critical", "information", "question", "warning"):
         monkeypatch.setattr(QMessageBox, name, refuse)
@@ -96,18 +96,15 @@ def document(gait: Path, qtbot: QtBot) -> Document:
 
 
 @pytest.fixture
-def window(
-    settings: Settings, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[MainWindow]:
+def window(settings: Settings, qtbot: QtBot) -> Iterator[MainWindow]:
     """Return the shown main window; its unsaved edits are discarded at the end."""
     made = MainWindow(settings)
     made.resize(1280, 720)
     made.show()
     qtbot.waitExposed(made)
     yield made
-    monkeypatch.setattr(made.files, "after_saving", lambda then: then())
-    if made.workspace is not None:
-        made.workspace.document.undo_stack.setClean()
+    for workspace in made.documents:
+        workspace.document.undo_stack.setClean()
     made.close()
     made.deleteLater()
 

@@ -255,13 +255,17 @@ def test_gaps_of_a_trc_file_are_filled_and_undone(
     assert window.isWindowModified()
 
 
-def test_two_files_or_none_are_not_taken(window: MainWindow, tmp_path: Path) -> None:
+def test_several_dropped_files_open_in_tabs(
+    window: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
     one, other = (write(tmp_path / name, TRC) for name in ("one.trc", "other.trc"))
-    assert not drag(window, mime(one, other))
-    drop(window, mime(one, other))
+    assert drag(window, mime(one, other))
+    drop(window, mime(one, other, one))
+    qtbot.waitUntil(lambda: window.documents.count() == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: window.files._loading is None and not window.files._waiting)
+    assert [each.document.source.path for each in window.documents] == [one, other]
+    assert workspace_of(window).document.source.path == one, "it was dropped once more"
     assert not drag(window, QMimeData())
-    assert window.workspace is None
-    assert window.files._loading is None
 
 
 @pytest.mark.parametrize("name", ["broken.trc", "broken.bvh", "broken.npz", "broken.csv"])

@@ -359,8 +359,8 @@ def test_a_closed_pane_comes_back(opened: MainWindow, qtbot: QtBot) -> None:
     markers, repair = workspace.panes()[:2]
     markers.close()
     repair.setFloating(True)
-    opened.panes_menu.aboutToShow.emit()
-    listed = {action.text(): action for action in opened.panes_menu.actions()}
+    opened.menus.panes.aboutToShow.emit()
+    listed = {action.text(): action for action in opened.menus.panes.actions()}
     assert not listed["Markers"].isChecked()
     listed["Markers"].trigger()
     assert markers.isVisible()

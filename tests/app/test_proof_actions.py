@@ -131,6 +131,7 @@ def test_a_recipe_makes_the_same_file_again(
     first = export(window, tmp_path / "first.c3d", qtbot)
     repairs = len(workspace_of(window).document.repairs)
 
+    window.files.close()
     window = open_in(copy)
     document = workspace_of(window).document
     act(window, "replay_recipe", qtbot)
@@ -163,6 +164,7 @@ def test_a_recipe_for_a_repaired_file_reverts_too(
     first = export(window, tmp_path / "first.c3d", qtbot)
     points = workspace.document.points.copy()
 
+    window.files.close()
     window = open_in(path)
     document = workspace_of(window).document
     window.proofs.replay(recipe)

@@ -233,27 +233,36 @@ def test_a_changed_recording_does_not_get_the_edits_and_they_are_kept(
     assert len(find_abandoned(settings.journal_folder, no_progress)) == 1
 
 
-def test_edits_of_the_open_recording_are_guarded_from_a_recovery(
-    open_in: Open,
-    qtbot: QtBot,
-    settings: Settings,
-    sprint: Path,
-    gait: Path,
-    leave_edits: Leave,
-    monkeypatch: pytest.MonkeyPatch,
+def test_recovered_edits_come_beside_what_is_open(
+    open_in: Open, qtbot: QtBot, sprint: Path, gait: Path, leave_edits: Leave
 ) -> None:
     window = open_in(gait)
     workspace = workspace_of(window, qtbot)
     workspace.push([edit_of(workspace.document.gaps[3], 1)], "mine")
     leave_edits(sprint, 1)
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Cancel)
     window.files.recovery.offer()
     dialog = offered(window, qtbot)
     assert names_in(dialog) == [sprint.name], "edits of a living window are not offered"
     dialog.recover_button.click()
-    qtbot.waitUntil(lambda: window.jobs.running == 0, timeout=20_000)
-    assert window.workspace is workspace
-    assert len(find_abandoned(settings.journal_folder, no_progress)) == 1
+    qtbot.waitUntil(lambda: window.documents.count() == 2, timeout=20_000)
+    assert workspace_of(window, qtbot).document.source.path == sprint
+    window.documents.setCurrentWidget(workspace)
+    assert workspace.document.undo_stack.index() == 1
+
+
+def test_all_edits_are_recovered_each_in_a_tab(
+    window: MainWindow, qtbot: QtBot, sprint: Path, gait: Path, leave_edits: Leave
+) -> None:
+    leave_edits(sprint, 2)
+    leave_edits(gait, 1)
+    start(window)
+    offered(window, qtbot).recover_all_button.click()
+    qtbot.waitUntil(lambda: window.documents.count() == 2, timeout=20_000)
+    edits = {
+        each.document.source.path: each.document.undo_stack.index() for each in window.documents
+    }
+    assert edits == {sprint: 2, gait: 1}
+    assert nothing_is_offered(window, qtbot)
 
 
 def test_edits_taken_by_another_window_are_an_error(

@@ -12,7 +12,6 @@ class ActionButton(QPushButton):
         super().__init__(text)
         self._action = action
         self._possible = True
-        self.setToolTip(action.toolTip())
         # A click must not take the keyboard from the rest of the window.
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(action.trigger)
@@ -26,4 +25,5 @@ class ActionButton(QPushButton):
         self._follow()
 
     def _follow(self) -> None:
+        self.setToolTip(self._action.toolTip())
         self.setEnabled(self._possible and self._action.isEnabled())

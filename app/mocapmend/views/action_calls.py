@@ -5,13 +5,28 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from mocapmend.views.file_actions import FileActions
+    from mocapmend.views.main_window import MainWindow
     from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
 
-
-def _candidate(number: int) -> "Callable[[Workspace], object]":
-    return lambda w: w.repair.pick_candidate(number)
-
+WINDOW_COMMANDS: "dict[str, Callable[[MainWindow], object]]" = {
+    "quit": lambda m: m.close(),
+    "next_document": lambda m: m.documents.step(1),
+    "previous_document": lambda m: m.documents.step(-1),
+    "save_layout": lambda m: m.layouts.ask_and_save(),
+    "theme_system": lambda m: m.appearance.choose("system"),
+    "theme_light": lambda m: m.appearance.choose("light"),
+    "theme_dark": lambda m: m.appearance.choose("dark"),
+    "text_larger": lambda m: m.appearance.step_text(1),
+    "text_smaller": lambda m: m.appearance.step_text(-1),
+    "text_normal": lambda m: m.appearance.step_text(0),
+    "shortcuts": lambda m: m.show_shortcuts(),
+    "palette": lambda m: m.show_palette(),
+    "tour": lambda m: m.start_tour(),
+    "log": lambda m: m.show_log(),
+    "about": lambda m: m.show_about(),
+}
+"""By action id."""
 
 FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
     "open": lambda f: f.ask_and_open(),
@@ -29,6 +44,11 @@ PROOF_COMMANDS: "dict[str, Callable[[ProofActions], object]]" = {
     "check_copy": lambda p: p.ask_and_check(),
 }
 """By action id."""
+
+
+def _candidate(number: int) -> "Callable[[Workspace], object]":
+    return lambda w: w.repair.pick_candidate(number)
+
 
 COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "undo": lambda w: w.document.undo_stack.undo(),
@@ -89,6 +109,8 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "next_plots": lambda w: w.plots.step_plots(1),
     "previous_plots": lambda w: w.plots.step_plots(-1),
     "next_bone": lambda w: w.plots.step_bone(1),
+    "first_layout": lambda w: w.restore_first_layout(),
+    "show_history": lambda w: w.show_pane(w.history),
     "view_front": lambda w: w.scene.look("front"),
     "view_back": lambda w: w.scene.look("back"),
     "view_left": lambda w: w.scene.look("left"),

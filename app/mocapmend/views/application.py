@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from mocapmend import __version__
 from mocapmend.errors import MocapmendError
-from mocapmend.settings import Settings
+from mocapmend.settings import TOUR_SHOWN, Settings
 from mocapmend.views.first_paint import FirstPaint
 from mocapmend.views.main_window import MainWindow
 
@@ -43,6 +43,11 @@ def require_display() -> None:
         )
 
 
+def wants_tour(settings: Settings, path: Path | None) -> bool:
+    """Say whether the user is here for the first time, and not for a certain recording."""
+    return path is None and not settings.get(TOUR_SHOWN)
+
+
 def run(path: Path | None) -> int:
     """Open the window, with a recording if one is named, and return the exit code.
 
@@ -70,4 +75,6 @@ def run(path: Path | None) -> int:
     window.show()
     if path is not None:
         window.open(path)
+    if wants_tour(window.settings, path):
+        window.start_tour()
     return app.exec()

@@ -1,17 +1,15 @@
-"""Small dialogs: an error, the shortcuts, the gaps that stayed open."""
+"""Small dialogs: an error, the gaps that stayed open."""
 
 import platform
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import PySide6
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHeaderView,
-    QLabel,
     QMessageBox,
     QTableWidget,
     QTableWidgetItem,
@@ -20,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend import __version__
-from mocapmend.actions import ACTIONS, key_texts, text_of
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
 from mocapmend.views.tables import dress
@@ -58,34 +55,6 @@ def error_box(parent: QWidget | None, error: Exception) -> QMessageBox:
         )
         box.setDetailedText(f"{type(error).__name__}: {error}\n\n{environment()}")
     return box
-
-
-def shortcuts_dialog(parent: QWidget, actions: Mapping[str, QAction]) -> QDialog:
-    """Make the list of all shortcuts, from the table that also makes the menus."""
-    rows = [
-        (spec.menu, text_of(spec), ", ".join(key_texts(actions[spec.id])))
-        for spec in ACTIONS
-        if spec.keys
-    ]
-    headers = (
-        translate("Dialogs", "Menu"),
-        translate("Dialogs", "Action"),
-        translate("Dialogs", "Keys"),
-    )
-    dialog = table_dialog(parent, translate("Dialogs", "Keyboard shortcuts"), headers, rows)
-    hint = QLabel(
-        translate(
-            "Dialogs",
-            "3D view: drag to orbit, Shift+drag to move, wheel to zoom, click to pick, "
-            "double-click to centre. Plots and timeline: drag to scrub, wheel to zoom, "
-            "Shift+wheel to move, double-click a gap to go there; Ctrl+click adds a marker.",
-        )
-    )
-    hint.setWordWrap(True)
-    layout = dialog.layout()
-    assert isinstance(layout, QVBoxLayout)
-    layout.insertWidget(1, hint)
-    return dialog
 
 
 def left_open_dialog(
@@ -131,6 +100,7 @@ def table_dialog(
     dialog.resize(720, 520)
     table = QTableWidget(len(rows), len(headers))
     table.setHorizontalHeaderLabels(list(headers))
+    table.setAccessibleName(title)
     dress(table)
     for row, texts in enumerate(rows):
         for column, text in enumerate(texts):

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from mocapmend import engine
@@ -14,12 +14,14 @@ from mocapmend.files import FORMATS, LONG_CSV, Source, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend.views.naming import kind_of, meant, repaired_name
+from mocapmend.views.opening import Opening
 from mocapmend.views.recovery import Recovery
 from mocapmend.views.samples import is_sample
 from mocapmend_algorithms.skeleton import Skeleton
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
+    from mocapmend.views.workspace import Workspace
 
 
 class FileActions(QObject):
@@ -29,13 +31,21 @@ class FileActions(QObject):
     ----------
     window : MainWindow
         Asks over it, opens in it.
+
+    Signals
+    -------
+    all_read :
+        Every recording that was to be opened has been read, or could not be.
     """
+
+    all_read = Signal()
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
         self.recovery = Recovery(window, self)
         self._loading: Job | None = None
+        self._waiting: list[Opening] = []
         self._writing: list[Job] = []
 
     @property
@@ -48,49 +58,77 @@ class FileActions(QObject):
         self._writing[-1].ended.connect(then)
 
     def when_loaded(self, then: Callable[[], object]) -> None:
-        """Go on at once, or when the recording that is being opened is read."""
-        if self._loading is None:
+        """Go on at once, or when the recordings that are being opened are read."""
+        if self._loading is None and not self._waiting:
             then()
         else:
-            self._loading.ended.connect(then)
+            self.all_read.connect(then, Qt.ConnectionType.SingleShotConnection)
 
     def ask_and_open(self) -> None:
-        """Let the user choose a recording and open it."""
-        path, _ = QFileDialog.getOpenFileName(
+        """Let the user choose recordings and open them."""
+        paths, _ = QFileDialog.getOpenFileNames(
             self._window,
-            self.tr("Open recording"),
+            self.tr("Open recordings"),
             self._window.settings.get(LAST_FOLDER),
             ";;".join((self._all_kinds(), *self._kinds(), self.tr("All files (*)"))),
         )
-        if path:
+        for path in paths:
             self.open(Path(path))
 
-    def open(self, path: Path, journal: Path | None = None) -> None:
-        """Open a recording, with the edits of a journal or as it is.
+    def open(
+        self, path: Path, journal: Path | None = None, instead_of: "Workspace | None" = None
+    ) -> None:
+        """Open a recording in a tab, after those that are being opened; or go to its tab.
 
-        The present one stays until the new one is fully read.
+        Parameters
+        ----------
+        path : Path
+            The file.
+        journal : Path, optional
+            Of edits that are to be recovered.
+        instead_of : Workspace, optional
+            Whose tab it takes, once its edits are saved and the file is fully read.
         """
-        if self._loading is not None:
-            self._window.say(self.tr("Still opening the file before: try again."))
+        self._waiting.append(Opening(path, journal, instead_of))
+        self._open_next()
+
+    def _open_next(self) -> None:
+        if self._loading is not None or not self._waiting:
             return
+        opening = self._waiting.pop(0)
+        there = self._window.documents.of_file(opening.path)
+        if there is not None and opening.journal is None and opening.instead_of is None:
+            self._window.documents.setCurrentWidget(there)
+            self._window.say(self.tr("{0} is open already.").format(opening.path.name))
+            self._open_next()
+            return
+        if there is not None and opening.instead_of is None:
+            opening = Opening(opening.path, opening.journal, there)
+        path = opening.path
         title = self.tr("Opening {0}").format(path.name)
         job = self._window.jobs.read_or_write(title, engine.load_to_show, path)
         self._loading = job
         # Later: a question must not hold up the end of the job.
         job.finished.connect(
-            lambda read: QTimer.singleShot(0, self, lambda: self.adopt(read[0], read[1], journal))
+            lambda read: QTimer.singleShot(0, self, lambda: self.adopt(read[0], read[1], opening))
         )
         job.failed.connect(self._window.show_error)
         job.failed.connect(lambda _: self._forget_if_gone(path))
         job.ended.connect(self._end_loading)
 
-    def adopt(self, source: Source, skeleton: Skeleton | None, journal: Path | None) -> None:
-        """Show a recording that has been read, once the present one's edits are saved."""
-        self.after_saving(lambda: self._show(source, skeleton, journal))
+    def adopt(self, source: Source, skeleton: Skeleton | None, opening: Opening) -> None:
+        """Show a recording that has been read, once the edits of the one that goes are saved."""
+        leaving = opening.instead_of
+        if leaving is None or self._window.documents.of(leaving.document) is None:
+            self._show(source, skeleton, Opening(opening.path, opening.journal))
+        else:
+            self.after_saving(leaving, lambda: self._show(source, skeleton, opening))
 
-    def close(self) -> None:
-        """Close the open recording."""
-        self.after_saving(self._window.drop_workspace)
+    def close(self, workspace: "Workspace | None" = None) -> None:
+        """Close a recording, the current one if none is named."""
+        leaving = self._window.workspace if workspace is None else workspace
+        if leaving is not None:
+            self.after_saving(leaving, lambda: self._window.drop(leaving))
 
     def ask_and_export(self, then: Callable[[], None] | None = None) -> None:
         """Let the user choose where the repaired recording goes, and write it there."""
@@ -161,12 +199,13 @@ class FileActions(QObject):
         written = self.tr("Report written to {0}").format(path)
         job.finished.connect(lambda _: self._window.say(written))
 
-    def after_saving(self, then: Callable[[], None]) -> None:
-        """Go on with what ends the present document, once its edits are saved or given up."""
-        workspace = self._window.workspace
-        if workspace is None or workspace.document.undo_stack.isClean():
+    def after_saving(self, workspace: "Workspace", then: Callable[[], None]) -> None:
+        """Go on with what ends a document, once its edits are saved or given up."""
+        if workspace.saved:
             then()
             return
+        # The user sees what the question is about, and the export is of the current one.
+        self._window.documents.setCurrentWidget(workspace)
         buttons = QMessageBox.StandardButton
         answer = QMessageBox.question(
             self._window,
@@ -220,13 +259,20 @@ class FileActions(QObject):
 
     def _end_loading(self) -> None:
         self._loading = None
+        if self._waiting:
+            # After what was read is shown: it may be the same file again.
+            QTimer.singleShot(0, self, self._open_next)
+        else:
+            self.all_read.emit()
 
     def _end_writing(self) -> None:
         self._writing = [job for job in self._writing if not job.over]
 
-    def _show(self, source: Source, skeleton: Skeleton | None, journal: Path | None) -> None:
+    def _show(self, source: Source, skeleton: Skeleton | None, opening: Opening) -> None:
         try:
-            history = self._window.show_source(source, skeleton, journal)
+            history = self._window.show_source(
+                source, skeleton, opening.journal, opening.instead_of
+            )
         except MocapmendError as error:
             self._window.show_error(error)
             return
@@ -261,21 +307,21 @@ class FileActions(QObject):
     ) -> None:
         path = exported.saved.path
         self._window.settings.remember_file(str(path.resolve()))
-        workspace = self._window.workspace
+        workspace = self._window.documents.of(document)
         # Edits made while the file was written are not in it.
-        if workspace is not None and workspace.document is document:
+        if workspace is not None:
             workspace.saved_as(exported, complete=document.undo_stack.index() == index)
             if then is None and same_file(path, document.source.path):
-                self.open(path)
+                self.open(path, instead_of=workspace)
         text = self.tr("Exported {0} to {1}: {2} repaired samples, read back and compared.")
         if exported.check is not None:
             text = self.tr("Exported {0} to {1}: {2} samples changed, all else is the same.")
         if exported.check is not None and exported.check.identical:
             text = self.tr("Exported {0} to {1}: the same as the original, byte for byte.")
         self._window.say(text.format(path.name, path.parent, exported.saved.samples))
-        if then is not None:
+        if then is not None and workspace is not None:
             # Asks again if there were edits in the meantime.
-            self.after_saving(then)
+            self.after_saving(workspace, then)
 
     def _confirm_replacing(self, path: Path) -> bool:
         return self._confirm(

@@ -6,45 +6,46 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QMimeData, QSize, Qt, QUrl
+from PySide6.QtCore import QMimeData, QSize, QTimer, QUrl
 from PySide6.QtGui import (
-    QAction,
     QCloseEvent,
     QDesktopServices,
     QDragEnterEvent,
     QDropEvent,
 )
 from PySide6.QtWidgets import (
-    QApplication,
     QLabel,
     QMainWindow,
-    QMenu,
     QMessageBox,
     QStackedWidget,
 )
 
-from mocapmend import __version__, theme
-from mocapmend.actions import ACTIONS, MENUS, make_actions
+from mocapmend import __version__
+from mocapmend.actions import ACTIONS, make_actions
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
-from mocapmend.settings import (
-    COMPARE,
-    GEOMETRY,
-    MOST_MISSING_FIRST,
-    RECENT_FILES,
-    SHOWN,
-    THEME,
-    Settings,
-)
-from mocapmend.theme import DARK, LIGHT, THEMES, Theme
-from mocapmend.views.action_calls import COMMANDS, FILE_COMMANDS, PROOF_COMMANDS, SWITCHES
-from mocapmend.views.dialogs import environment, error_box, shortcuts_dialog
-from mocapmend.views.icons import icon, program_icon
+from mocapmend.settings import COMPARE, GEOMETRY, MOST_MISSING_FIRST, SHOWN, Settings
+from mocapmend.theme import Theme
+from mocapmend.views.action_calls import SWITCHES
+from mocapmend.views.action_wiring import connect_actions
+from mocapmend.views.appearance import Appearance
+from mocapmend.views.dialogs import environment, error_box
+from mocapmend.views.documents import Documents
+from mocapmend.views.icons import program_icon
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend.views.keys import KeyGuard
+from mocapmend.views.layouts import Layouts
+from mocapmend.views.menus import Menus
 from mocapmend.views.notes import NotesBar
+from mocapmend.views.palette import Palette
+from mocapmend.views.palette_entries import entries
+from mocapmend.views.recent import RecentFiles
 from mocapmend.views.samples import sample_recordings
+from mocapmend.views.shortcuts import Shortcuts
+from mocapmend.views.shortcuts_dialog import ShortcutsDialog
+from mocapmend.views.toolbar import draw_icons, fill_toolbar
+from mocapmend.views.tour import Tour
 from mocapmend.views.transport import Transport
 from mocapmend.views.welcome import Welcome
 
@@ -58,14 +59,6 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-ICONS = (
-    "open", "export", "undo", "redo", "previous_gap", "next_gap", "apply", "fill_all",
-    "play", "follow", "labels", "trails",
-)  # fmt: skip
-TOOLBAR = (
-    "open", "export", None, "undo", "redo", None, "previous_gap", "next_gap", "apply", "fill_all",
-    None, "follow", "labels", "trails", None,
-)  # fmt: skip
 MESSAGE_MS = 8000
 FIRST_SIZE = QSize(1280, 800)
 FRAME = QSize(16, 48)
@@ -73,43 +66,68 @@ FRAME = QSize(16, 48)
 
 
 class MainWindow(QMainWindow):
-    """Wires actions to the workspace of the open document."""
+    """Wires actions to the workspaces of the open documents."""
 
     def __init__(self, settings: Settings) -> None:
         super().__init__()
         self.settings = settings
         self.jobs = Jobs(self)
-        self.workspace: Workspace | None = None
-        self.theme: Theme = THEMES.get(settings.get(THEME), DARK)
+        self._tour: Tour | None = None
+        self.appearance: Appearance = Appearance(settings, self)
+        self.appearance.changed.connect(self._show_theme)
         self.actions_by_id = dict(make_actions(self))
+        self.shortcuts = Shortcuts(self.actions_by_id, settings, self)
+        self.layouts: Layouts = Layouts(self)
+        self.recent = RecentFiles(settings, self.jobs, self)
+        self.recent.changed.connect(self._show_recent)
         self._keys = KeyGuard(self)
         self.setWindowIcon(program_icon())
         self.setAcceptDrops(True)
         self.resize(FIRST_SIZE.boundedTo(self.screen().availableSize() - FRAME))
         self.welcome = Welcome(sample_recordings(), self.theme)
         self.welcome.chosen.connect(self.open)
+        self.welcome.forgotten.connect(self.recent.forget)
         self.welcome.browse.connect(self.actions_by_id["open"].trigger)
+        self.documents: Documents = Documents()
+        self.documents.switched.connect(self._show_document)
+        self.documents.counted.connect(self._show_possible)
         self.stack = QStackedWidget()
         self.stack.addWidget(self.welcome)
+        self.stack.addWidget(self.documents)
         self.setCentralWidget(self.stack)
         self.notes = NotesBar()
         self.transport = Transport(self.actions_by_id)
         self._keys.guard(self.transport)
-        self._make_menus()
-        self._make_toolbar()
+        self.menus = Menus(self)
+        # Actions that are only in menus answer to their keys through the window.
+        self.addActions(list(self.actions_by_id.values()))
+        self.documents.tabCloseRequested.connect(self._close_tab)
+        self.toolbar = self.addToolBar(self.tr("Tools"))
+        fill_toolbar(self.toolbar, self.actions_by_id, self.transport)
         self._make_status_bar()
-        self._connect()
+        connect_actions(self)
         self.restoreGeometry(settings.get(GEOMETRY))
-        self.actions_by_id["theme"].setChecked(self.theme is LIGHT)
+        self.actions_by_id[f"theme_{self.appearance.choice}"].setChecked(True)
         self.actions_by_id["compare"].setChecked(settings.get(COMPARE))
+        self.actions_by_id["most_missing_first"].setChecked(settings.get(MOST_MISSING_FIRST))
         for name, shown in SHOWN.items():
             self.actions_by_id[name].setChecked(settings.get(shown))
             self.actions_by_id[name].toggled.connect(
                 lambda on, shown=shown: settings.set(shown, on)
             )
-        self.actions_by_id["most_missing_first"].setChecked(settings.get(MOST_MISSING_FIRST))
+        self.appearance.apply()
         self._show_theme()
         self._show_document()
+
+    @property
+    def theme(self) -> Theme:
+        """The colours of the window."""
+        return self.appearance.theme
+
+    @property
+    def workspace(self) -> "Workspace | None":
+        """The workspace of the recording that is seen."""
+        return self.documents.current
 
     @cached_property
     def files(self) -> "FileActions":
@@ -137,87 +155,31 @@ class MainWindow(QMainWindow):
 
     # --- making ------------------------------------------------------------------------------
 
-    def _make_menus(self) -> None:
-        titles = {
-            "File": self.tr("&File"),
-            "Edit": self.tr("&Edit"),
-            "Gaps": self.tr("&Gaps"),
-            "Repair": self.tr("&Repair"),
-            "Play": self.tr("&Play"),
-            "View": self.tr("&View"),
-            "Plots": self.tr("P&lots"),
-            "Help": self.tr("&Help"),
-        }
-        menus = {name: self.menuBar().addMenu(titles[name]) for name in MENUS}
-        for spec in ACTIONS:
-            if spec.starts_group:
-                menus[spec.menu].addSeparator()
-            menus[spec.menu].addAction(self.actions_by_id[spec.id])
-        self.recent_menu = QMenu(self.tr("Open recent"), self)
-        self.recent_menu.setToolTipsVisible(True)
-        self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
-        menus["File"].insertMenu(self.actions_by_id["export"], self.recent_menu)
-        self.panes_menu = QMenu(self.tr("Panes"), self)
-        self.panes_menu.aboutToShow.connect(self._fill_panes_menu)
-        menus["View"].addMenu(self.panes_menu)
-        # Actions that are only in menus answer to their keys through the window.
-        self.addActions(list(self.actions_by_id.values()))
-
-    def _make_toolbar(self) -> None:
-        bar = self.addToolBar(self.tr("Tools"))
-        bar.setObjectName("tools")
-        bar.setMovable(False)
-        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        for name in TOOLBAR:
-            if name is None:
-                bar.addSeparator()
-            else:
-                bar.addAction(self.actions_by_id[name])
-        bar.addWidget(self.transport)
-
     def _make_status_bar(self) -> None:
         self._facts = QLabel()
         self.statusBar().addPermanentWidget(JobIndicator(self.jobs))
         self.statusBar().addPermanentWidget(self.notes)
         self.statusBar().addPermanentWidget(self._facts)
 
-    def _connect(self) -> None:
-        plain: dict[str, Callable[[], object]] = {
-            "quit": self.close,
-            "shortcuts": lambda: shortcuts_dialog(self, self.actions_by_id).open(),
-            "log": lambda: QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_path()))),
-            "about": self._about,
-        }
-        for name, call in plain.items():
-            self.actions_by_id[name].triggered.connect(lambda _=False, call=call: call())
-        for name, do in FILE_COMMANDS.items():
-            self.actions_by_id[name].triggered.connect(lambda _=False, do=do: do(self.files))
-        for name, prove in PROOF_COMMANDS.items():
-            self.actions_by_id[name].triggered.connect(
-                lambda _=False, prove=prove: prove(self.proofs)
-            )
-        for name, use in COMMANDS.items():
-            self.actions_by_id[name].triggered.connect(lambda _=False, use=use: self._with(use))
-        for name, switch in SWITCHES.items():
-            self.actions_by_id[name].toggled.connect(
-                lambda on, switch=switch: self._with(lambda w: switch(w, on))
-            )
-        self.actions_by_id["theme"].toggled.connect(self._choose_theme)
-
-    def _with(self, use: "Callable[[Workspace], object]") -> None:
-        if self.workspace is not None:
-            use(self.workspace)
+    def with_all(self, use: "Callable[[Workspace], object]") -> None:
+        """Do something to every open recording."""
+        for workspace in self.documents:
+            use(workspace)
 
     # --- documents ---------------------------------------------------------------------------
 
     def open(self, path: Path) -> None:
-        """Open a recording; the present one stays until the new one is fully read."""
+        """Open a recording in a tab, or go to the tab that it has already."""
         self.files.open(path)
 
     def show_source(
-        self, source: "Source", skeleton: "Skeleton | None", journal: Path | None = None
+        self,
+        source: "Source",
+        skeleton: "Skeleton | None",
+        journal: Path | None = None,
+        instead_of: "Workspace | None" = None,
     ) -> "History | None":
-        """Show a recording that has been read in place of the present one.
+        """Show a recording that has been read, in a tab of its own.
 
         Parameters
         ----------
@@ -227,6 +189,8 @@ class MainWindow(QMainWindow):
             Its bones; None where they are still to be found.
         journal : Path, optional
             Of edits that are to be recovered.
+        instead_of : Workspace, optional
+            Whose tab it takes; the edits of that one are given up.
 
         Returns
         -------
@@ -236,7 +200,7 @@ class MainWindow(QMainWindow):
         Raises
         ------
         MocapmendError
-            If the edits cannot be recovered. The present recording stays then.
+            If the edits cannot be recovered. Nothing is changed then.
         """
         from mocapmend.document import Document
         from mocapmend.journal import resume
@@ -244,9 +208,7 @@ class MainWindow(QMainWindow):
 
         document = Document(source, skeleton)
         recovered = None if journal is None else resume(journal, document)
-        self.drop_workspace()
         workspace = Workspace(document, self.jobs, self.settings, self.theme, self.actions_by_id)
-        self.workspace = workspace
         workspace.message.connect(self.say)
         workspace.failed.connect(self.show_error)
         if recovered is not None:
@@ -257,27 +219,25 @@ class MainWindow(QMainWindow):
         stack.indexChanged.connect(self._show_undo)
         stack.cleanChanged.connect(self._show_title)
         self._keys.guard(workspace)
-        workspace.repair.rebuilt.connect(self._guard_repair)
-        self.stack.addWidget(workspace)
-        self.stack.setCurrentWidget(workspace)
-        self._show_document()
+        workspace.repair.rebuilt.connect(self._guard_repairs)
+        self.documents.add(workspace, instead_of)
+        if instead_of is not None:
+            self.drop(instead_of)
         workspace.setFocus()
         return None if recovered is None else recovered[1]
 
-    def drop_workspace(self) -> None:
-        """Close the present recording and show the empty window."""
-        if self.workspace is None:
-            return
-        workspace, self.workspace = self.workspace, None
+    def drop(self, workspace: "Workspace") -> None:
+        """Close a recording, and give up what is not exported."""
         workspace.stop()
         workspace.save_layout()
-        self.stack.removeWidget(workspace)
+        self.documents.remove(workspace)
         workspace.deleteLater()
-        self.statusBar().clearMessage()
-        self._show_document()
 
-    def _guard_repair(self) -> None:
-        self._with(lambda workspace: self._keys.guard(workspace.repair))
+    def _close_tab(self, index: int) -> None:
+        self.files.close(self.documents.at(index))
+
+    def _guard_repairs(self) -> None:
+        self.with_all(lambda workspace: self._keys.guard(workspace.repair))
 
     # --- showing -----------------------------------------------------------------------------
 
@@ -291,7 +251,8 @@ class MainWindow(QMainWindow):
         log.error("%s", error, exc_info=None if expected else error)
         error_box(self, error).open()
 
-    def _about(self) -> None:
+    def show_about(self) -> None:
+        """Say which program this is."""
         QMessageBox.about(
             self,
             self.tr("About mocapmend"),
@@ -300,38 +261,49 @@ class MainWindow(QMainWindow):
             + f"</p><p>{environment()}</p>",
         )
 
-    def _choose_theme(self, light: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
-        self.theme = LIGHT if light else DARK
-        self.settings.set(THEME, self.theme.name)
-        self._show_theme()
+    def show_log(self) -> None:
+        """Show the log file in what the system has for texts."""
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_path())))
+
+    def show_shortcuts(self) -> None:
+        """Show all keys, which can be changed."""
+        ShortcutsDialog(self.shortcuts, self).open()
+
+    def show_palette(self) -> None:
+        """Let the user type what to do."""
+        Palette(entries(self), self).open()
+
+    def start_tour(self) -> None:
+        """Show around, beginning at the first step that can be made."""
+        if self._tour is not None:
+            self._tour.destroyed.disconnect(self._forget_tour)
+            self._tour.end()
+        self._tour = Tour(self)
+        self._tour.destroyed.connect(self._forget_tour)
+        self._tour.begin()
+
+    def _forget_tour(self) -> None:
+        self._tour = None
 
     def _show_theme(self) -> None:
-        app = QApplication.instance()
-        assert isinstance(app, QApplication)
-        theme.apply(app, self.theme)
-        for name in ICONS:
-            self.actions_by_id[name].setIcon(icon(name, self.theme))
+        draw_icons(self.actions_by_id, self.theme)
         self.transport.set_theme(self.theme)
         self.welcome.set_theme(self.theme)
-        if self.workspace is not None:
-            self.workspace.set_theme(self.theme)
+        self.with_all(lambda workspace: workspace.set_theme(self.theme))
+
+    def _show_recent(self) -> None:
+        self.welcome.show_recent(self.recent.paths, self.recent.gone)
 
     def _show_document(self) -> None:
         workspace = self.workspace
-        has = {
-            "nothing": True,
-            "document": workspace is not None,
-            "c3d": workspace is not None and workspace.document.source.kind == "C3D",
-            "markers": workspace is not None and workspace.document.repairable,
-        }
-        for spec in ACTIONS:
-            self.actions_by_id[spec.id].setEnabled(has[spec.needs])
-        self.transport.show_workspace(workspace if has["markers"] else None)
+        self.statusBar().clearMessage()
+        repairable = workspace is not None and workspace.document.repairable
+        self._show_possible()
+        self.transport.show_workspace(workspace if repairable else None)
         self.notes.show_warnings(workspace.document.source.warnings if workspace else ())
         if workspace is None:
-            recent = self.settings.get(RECENT_FILES)
-            self.welcome.show_recent(recent)
-            self.stack.setCurrentWidget(self.welcome)
+            self._show_recent()
+            self.recent.look()
             self._facts.setText("")
         else:
             original = workspace.document.original
@@ -344,8 +316,22 @@ class MainWindow(QMainWindow):
                     original.unit,
                 )
             )
-        self._show_undo()
+        self.stack.setCurrentWidget(self.welcome if workspace is None else self.documents)
         self._show_title()
+
+    def _show_possible(self) -> None:
+        """Enable what can be done with the current recording."""
+        document = None if self.workspace is None else self.workspace.document
+        has = {
+            "nothing": True,
+            "document": document is not None,
+            "c3d": document is not None and document.source.kind == "C3D",
+            "markers": document is not None and document.repairable,
+            "several": self.documents.count() > 1,
+        }
+        for spec in ACTIONS:
+            self.actions_by_id[spec.id].setEnabled(has[spec.needs])
+        self._show_undo()
 
     def _show_undo(self) -> None:
         stack = self.workspace.document.undo_stack if self.workspace else None
@@ -366,45 +352,23 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{document.source.path.name}[*] — mocapmend")
         self.setWindowModified(not document.undo_stack.isClean())
 
-    def _fill_recent_menu(self) -> None:
-        self.recent_menu.clear()
-        recent = self.settings.get(RECENT_FILES)
-        for text in recent:
-            action = QAction(Path(text).name.replace("&", "&&"), self.recent_menu)
-            action.setToolTip(text)
-            action.triggered.connect(lambda _=False, text=text: self.open(Path(text)))
-            self.recent_menu.addAction(action)
-        if not recent:
-            self.recent_menu.addAction(self.tr("None yet")).setEnabled(False)
-
-    def _fill_panes_menu(self) -> None:
-        self.panes_menu.clear()
-        if self.workspace is None or not self.workspace.panes():
-            self.panes_menu.addAction(self.tr("None without markers")).setEnabled(False)
-            return
-        for pane in self.workspace.panes():
-            self.panes_menu.addAction(pane.toggleViewAction())
-        self.panes_menu.addSeparator()
-        self.panes_menu.addAction(
-            self.tr("Arrange as at first"), self.workspace.restore_first_layout
-        )
-
     # --- what the user does to the window ----------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_file(event.mimeData()) is not None:
+        if _dropped_files(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        path = _dropped_file(event.mimeData())
-        if path is not None:
+        paths = _dropped_files(event.mimeData())
+        if paths:
             event.acceptProposedAction()
+        for path in paths:
             self.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self.workspace is not None and not self.workspace.document.undo_stack.isClean():
+        if any(not each.saved for each in self.documents):
             event.ignore()
-            self.files.after_saving(self._close_for_good)
+            self._close_when_saved(frozenset())
             return
         if self.files.writing:
             event.ignore()
@@ -412,15 +376,24 @@ class MainWindow(QMainWindow):
             self.files.when_written(self.close)
             return
         self.settings.set(GEOMETRY, bytes(self.saveGeometry().data()))
-        self.drop_workspace()
+        self.with_all(self.drop)
         self.jobs.shut_down()
         event.accept()
 
-    def _close_for_good(self) -> None:
-        self.drop_workspace()
-        self.close()
+    def _close_when_saved(self, given_up: "frozenset[tuple[Workspace, int]]") -> None:
+        """Ask about the recordings with edits, one after the other; nothing is closed before all.
+
+        What was given up is kept with its revision: what is edited after that is asked about again.
+        """
+        states = ((each, each.document.revision) for each in self.documents if not each.saved)
+        asked = next((state for state in states if state not in given_up), None)
+        if asked is None:
+            self.with_all(self.drop)
+            # Later: a window that is being closed does not close once more.
+            QTimer.singleShot(0, self, self.close)
+        else:
+            self.files.after_saving(asked[0], lambda: self._close_when_saved(given_up | {asked}))
 
 
-def _dropped_file(data: QMimeData) -> Path | None:
-    files = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
-    return files[0] if len(files) == 1 else None
+def _dropped_files(data: QMimeData) -> list[Path]:
+    return [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]

@@ -63,7 +63,9 @@ class ParamsForm(QWidget):
             widget, getter = self._editor(entry, hints[entry.name], value)
             widget.setObjectName(entry.name)
             widget.setToolTip(str(entry.metadata.get("help", "")))
-            widget.setAccessibleName(str(entry.metadata.get("label", entry.name)))
+            # The keyboard may be in a part of it.
+            for part in (widget, widget.focusProxy() or widget):
+                part.setAccessibleName(str(entry.metadata.get("label", entry.name)))
             self._layout.addRow(str(entry.metadata.get("label", entry.name)), widget)
             self._getters[entry.name] = getter
         self.rebuilt.emit()

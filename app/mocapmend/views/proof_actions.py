@@ -74,7 +74,7 @@ class ProofActions(QObject):
         source, revision = workspace.document.source, workspace.document.revision
 
         def compute(prepared: tuple[recipe.Plan, bool]) -> None:
-            if self._window.workspace is not workspace:
+            if self._window.documents.of(workspace.document) is None:
                 return
             original, jobs = workspace.document.share_original(), prepared[0].jobs
             job = self._window.jobs.compute(title, recipe.fill, original, jobs)
@@ -177,7 +177,9 @@ class ProofActions(QObject):
         results: list[FillResult],
     ) -> None:
         document, (planned, same_file) = workspace.document, prepared
-        if self._window.workspace is not workspace or revision != document.revision:
+        if self._window.documents.of(document) is None:
+            return
+        if revision != document.revision:
             self._window.say(self.tr("The recording was edited meanwhile: replay again."))
             return
         reopened = [gap for gap in planned.reopened if gap in document.repairs]

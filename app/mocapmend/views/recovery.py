@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source
 from mocapmend.journal import Abandoned, History, discard, find_abandoned
+from mocapmend.views.opening import Opening
 from mocapmend.views.recovery_dialog import RecoveryDialog
 
 if TYPE_CHECKING:
@@ -78,10 +79,11 @@ class Recovery(QObject):
 
     def _recover(self, abandoned: Abandoned) -> None:
         path = abandoned.subject.path
-        workspace = self._window.workspace
-        if workspace is not None and abandoned.belongs_to(workspace.document.source):
+        workspace = self._window.documents.first(abandoned.belongs_to)
+        if workspace is not None:
             document = workspace.document
-            self._files.adopt(document.source, document.found_skeleton, abandoned.journal)
+            there = Opening(document.source.path, abandoned.journal, workspace)
+            self._files.adopt(document.source, document.found_skeleton, there)
         elif path.exists():
             self._files.open(path, abandoned.journal)
         else:

@@ -51,10 +51,13 @@ class RecoveryDialog(QDialog):
         kinds = QDialogButtonBox.ButtonRole
         buttons = QDialogButtonBox()
         self.recover_button = buttons.addButton(self.tr("Recover"), kinds.AcceptRole)
+        self.recover_all_button = buttons.addButton(self.tr("Recover all"), kinds.ActionRole)
+        self.recover_all_button.setVisible(len(abandoned) > 1)
         self.discard_button = buttons.addButton(self.tr("Discard"), kinds.DestructiveRole)
         self.later_button = buttons.addButton(self.tr("Later"), kinds.RejectRole)
         self.recover_button.setDefault(True)
         self.recover_button.clicked.connect(self._recover)
+        self.recover_all_button.clicked.connect(self._recover_all)
         self.discard_button.clicked.connect(self._discard)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
@@ -67,6 +70,7 @@ class RecoveryDialog(QDialog):
         headers = [self.tr("Recording"), self.tr("Edits"), self.tr("Last edit")]
         table = QTableWidget(len(self._abandoned), len(headers))
         table.setHorizontalHeaderLabels(headers)
+        table.setAccessibleName(self.tr("Recordings with edits that can be recovered"))
         dress(table)
         table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
         for row, each in enumerate(self._abandoned):
@@ -92,9 +96,15 @@ class RecoveryDialog(QDialog):
         self.accept()
         self.recover.emit(self._abandoned[self._table.currentRow()])
 
+    def _recover_all(self) -> None:
+        self.accept()
+        for each in self._abandoned:
+            self.recover.emit(each)
+
     def _discard(self) -> None:
         row = self._table.currentRow()
         self.discard.emit(self._abandoned.pop(row))
         self._table.removeRow(row)
+        self.recover_all_button.setVisible(len(self._abandoned) > 1)
         if not self._abandoned:
             self.accept()

@@ -2,8 +2,10 @@
 
 from typing import Any
 
-from PySide6.QtCore import QLocale, Qt
+from PySide6.QtCore import QEvent, QLocale, QObject, Qt
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyledItemDelegate, QTableView
+
+DIGITS = "0123456789"
 
 
 def dress(table: QTableView) -> None:
@@ -16,8 +18,27 @@ def dress(table: QTableView) -> None:
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
     table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
     table.horizontalHeader().setHighlightSections(False)
+    RowHeights(table)
+
+
+class RowHeights(QObject):
+    """Makes the rows of a table as high as its text needs, also when the text changes its size."""
+
+    def __init__(self, table: QTableView) -> None:
+        super().__init__(table)
+        self._table = table
+        table.installEventFilter(self)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+        return False
+
+    def _fit(self) -> None:
+        height = self._table.fontMetrics().height() + 6
+        self._table.verticalHeader().setDefaultSectionSize(height)
 
 
 def narrow(table: QTableView, widths: dict[int, int], stretched: int = 0) -> None:
@@ -26,8 +47,29 @@ def narrow(table: QTableView, widths: dict[int, int], stretched: int = 0) -> Non
     header.setMinimumSectionSize(30)
     header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     header.setSectionResizeMode(stretched, QHeaderView.ResizeMode.Stretch)
-    for column, width in widths.items():
-        header.resizeSection(column, width)
+    ColumnWidths(table, widths)
+
+
+class ColumnWidths(QObject):
+    """Keeps columns as wide as texts that had a width at first, when the text changes its size."""
+
+    def __init__(self, table: QTableView, widths: dict[int, int]) -> None:
+        super().__init__(table)
+        self._table = table
+        self._widths = widths
+        self._first = table.fontMetrics().horizontalAdvance(DIGITS)
+        table.installEventFilter(self)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+        return False
+
+    def _fit(self) -> None:
+        scale = self._table.fontMetrics().horizontalAdvance(DIGITS) / self._first
+        for column, width in self._widths.items():
+            self._table.horizontalHeader().resizeSection(column, round(width * scale))
 
 
 INDENT = "   "

@@ -51,6 +51,10 @@ class Transport(QWidget):
 
     def show_workspace(self, workspace: "Workspace | None") -> None:
         """Follow another workspace."""
+        if self._workspace is not None:
+            self._workspace.view.frame_changed.disconnect(self._show_frame)
+            self._workspace.player.playing_changed.disconnect(self._show_playing)
+            self._workspace.player.speed_changed.disconnect(self._show_speed)
         self._workspace = workspace
         self.setEnabled(workspace is not None)
         if workspace is None:

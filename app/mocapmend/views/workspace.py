@@ -23,6 +23,7 @@ from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
+from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.plan_pane import PlanPane
 from mocapmend.views.player import Player
@@ -42,7 +43,7 @@ from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Unfilled
 from mocapmend_algorithms.fill.limits import default_frames
 
-LAYOUT_VERSION = 3
+LAYOUT_VERSION = 5
 TAB_HEIGHT = 36
 
 
@@ -105,11 +106,13 @@ class Workspace(QMainWindow):
         self.view.span_changed.connect(self.trajectories.set_span)
         if self.analog is not None:
             self.view.span_changed.connect(self.analog.plots.set_span)
+        self.history = HistoryPane(document.undo_stack)
         self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._panes: list[QDockWidget] = []
+        self._put_away: list[QWidget] = []
         self._first_layout = QByteArray()
         self._searching: Job | None = None
         self._arrange()
@@ -169,6 +172,11 @@ class Workspace(QMainWindow):
         job.failed.connect(self.failed)
         self._searching = job
 
+    @property
+    def saved(self) -> bool:
+        """Whether all edits are exported."""
+        return self.document.undo_stack.isClean()
+
     def panes(self) -> list[QDockWidget]:
         """Return the panes around the middle, in the order in which they were made."""
         return self._panes
@@ -201,7 +209,40 @@ class Workspace(QMainWindow):
     def save_layout(self) -> None:
         """Remember where the panes are."""
         if self.arranged:
-            self._settings.set(LAYOUT, bytes(self.saveState(LAYOUT_VERSION).data()))
+            self._settings.set(LAYOUT, self.layout_state())
+
+    def layout_state(self) -> bytes:
+        """Return where the panes are."""
+        return bytes(self.saveState(LAYOUT_VERSION).data())
+
+    def restore_layout(self, state: bytes) -> bool:
+        """Put the panes where `layout_state` had them; False if it is of another version."""
+        return self.restoreState(state, LAYOUT_VERSION)
+
+    def leave(self) -> None:
+        """Stand back: another recording is looked at."""
+        self.player.pause()
+        self.survey.stop()
+        self.save_layout()
+        children = Qt.FindChildOption.FindDirectChildrenOnly
+        # Panes that float and dialogs are windows: they do not go with what they belong to.
+        self._put_away = [
+            each
+            for each in self.findChildren(QWidget, options=children)
+            if each.isWindow() and each.isVisible()
+        ]
+        for window in self._put_away:
+            window.hide()
+
+    def enter(self) -> None:
+        """Come to the front again, with the panes where the user had them last."""
+        for window in self._put_away:
+            window.show()
+        self._put_away = []
+        if self._settings.get(RANKING):
+            self.survey.start()
+        if self.arranged:
+            self.restore_layout(self._settings.get(LAYOUT))
 
     # --- the 3D view -------------------------------------------------------------------------
 
@@ -388,7 +429,10 @@ class Workspace(QMainWindow):
         )
         plan = self._dock("plan", self.tr("Plan"), self.plan, areas.BottomDockWidgetArea)
         report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        bottom = [timeline, plan, repairs, report]
+        history = self._dock(
+            "history", self.tr("History"), self.history, areas.BottomDockWidgetArea
+        )
+        bottom = [timeline, plan, repairs, report, history]
         if self.analog is not None:
             bottom.append(
                 self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
