@@ -33,6 +33,7 @@ class Theme:
     bone: str
     marker: str
     preview: str
+    candidate: str
     gap_shade: str
     fill_shade: str
     states: tuple[tuple[SampleState, str], ...]
@@ -57,6 +58,7 @@ DARK = Theme(
     bone="#5f6875",
     marker="#c9d1db",
     preview="#f0e442",
+    candidate="#c9b8f5",
     gap_shade="#48e69f00",
     fill_shade="#3056b4e9",
     states=(
@@ -83,6 +85,7 @@ LIGHT = Theme(
     bone="#87909d",
     marker="#424a56",
     preview="#a84d00",
+    candidate="#6a4aa5",
     gap_shade="#40e69f00",
     fill_shade="#300072b2",
     states=(

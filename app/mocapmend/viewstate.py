@@ -109,6 +109,11 @@ class ViewState(QObject):
             self.preview = preview
             self.preview_changed.emit(preview)
 
+    @property
+    def others(self) -> tuple[tuple[int, Preview], ...]:
+        """The candidates besides the preview, with their numbers."""
+        return tuple(pair for pair in self.candidates if pair[1] is not self.preview)
+
     def set_candidates(self, candidates: tuple[tuple[int, Preview], ...]) -> None:
         """Show repairs of the current gap side by side, each with its number."""
         if candidates != self.candidates:

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from holes import HOLES
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtWidgets import QComboBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend.prospects import Way
@@ -180,3 +181,26 @@ def test_a_method_without_donors_says_so(opened: MainWindow, qtbot: QtBot) -> No
     qtbot.keyClick(opened, Qt.Key.Key_D)
     assert told == ["This method takes no donors."]
     assert not workspace.view.picking
+
+
+def pixels(widget: QWidget, colour: str) -> int:
+    """Count the pixels of about a colour."""
+    image = widget.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    shape = image.height(), image.width(), 4
+    seen = np.frombuffer(image.constBits(), np.uint8).reshape(shape)[..., 2::-1].astype(int)
+    wanted = QColor(colour)
+    far = np.abs(seen - (wanted.red(), wanted.green(), wanted.blue())).max(axis=2)
+    return int((far < 24).sum())
+
+
+def test_candidates_are_drawn_in_plots_and_in_3d(opened: MainWindow, qtbot: QtBot) -> None:
+    workspace = workspace_of(opened)
+    all_known(workspace, qtbot)
+    theme = workspace.trajectories._painter.theme
+    views = (workspace.trajectories, workspace.scene)
+    assert [number for number, _ in workspace.view.others] == [2, 3, 4, 5, 6, 7]
+    with_them = [pixels(view, theme.candidate) for view in views]
+    workspace.view.set_candidates(())
+    without = [pixels(view, theme.candidate) for view in views]
+    assert with_them[0] > without[0] + 50
+    assert with_them[1] > without[1] + 10

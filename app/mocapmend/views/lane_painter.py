@@ -21,8 +21,15 @@ FILL_OVERLAY_FRAMES = 20_000
 """Above this many visible frames the fills are told by their shade alone."""
 BAND_SIGMAS = 1.6449
 """Half-width of the band in standard deviations per axis: 90 %."""
+BAND, OTHER_BAND = 60, 18
+"""Opacity of the band of a preview, and of the other candidates, of 255."""
+DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
+"""Of the candidates by their numbers."""
 BEHIND = 0.67
 """Share of the colours of the curves that are not worked on."""
+
+Candidates = Sequence[tuple[int, Preview]]
+"""Repairs of a gap with their numbers."""
 
 
 @dataclass(frozen=True)
@@ -72,11 +79,13 @@ class LanePainter:
         lanes: Sequence[tuple[Lane, QRectF]],
         visible: tuple[float, float],
         preview: Preview | None,
+        others: Candidates = (),
         *,
         same_scale: bool = False,
     ) -> list[Frame]:
         """Paint lanes and return the frames that they were painted in.
 
+        Other candidates are drawn behind the preview, each with its number, as far as they fit.
         With the same scale for x, y and z their units are equally high in all lanes.
         """
         self._strips.clear()
@@ -91,7 +100,7 @@ class LanePainter:
         for (lane, rect), span in zip(lanes, spans, strict=True):
             frame = Frame(rect, *visible, *span)
             frames.append(frame)
-            self._paint_lane(painter, frame, lane, preview)
+            self._paint_lane(painter, frame, lane, preview, others)
         return frames
 
     def _span(
@@ -105,7 +114,12 @@ class LanePainter:
         return value_range(values)
 
     def _paint_lane(
-        self, painter: QPainter, frame: Frame, lane: Lane, preview: Preview | None
+        self,
+        painter: QPainter,
+        frame: Frame,
+        lane: Lane,
+        preview: Preview | None,
+        others: Candidates,
     ) -> None:
         rect, quantity = frame.rect, lane.quantity
         message = self._message(lane)
@@ -123,6 +137,8 @@ class LanePainter:
             pen = QPen(mixed(self.theme.base, curve.colour, share), 1)
             paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
             self._paint_fills(painter, frame, quantity, curve)
+        for number, other in others:
+            self._paint_candidate(painter, frame, lane, number, other)
         self._paint_preview(painter, frame, lane, preview)
         painter.setClipping(False)
         self._paint_title(painter, rect, lane)
@@ -191,25 +207,53 @@ class LanePainter:
             return np.empty(0), np.empty(0)
         return self.series.patched(lane.quantity, curve, preview.patch)
 
+    def _paint_candidate(
+        self, painter: QPainter, frame: Frame, lane: Lane, number: int, candidate: Preview
+    ) -> None:
+        """Draw another repair: a thin line with dashes of its own, its band and its number."""
+        frames, values = self._preview_line(candidate, lane)
+        if not len(frames):
+            return
+        colour = QColor(self.theme.candidate)
+        self._paint_band(painter, frame, lane, candidate, colour, OTHER_BAND)
+        pen = QPen(colour, 1)
+        pen.setDashPattern(DASHES[(number - 1) % len(DASHES)])
+        paint_line(painter, frame, frames, values, pen)
+        # Not all at the same place: neighbours differ in where their numbers stand.
+        at = round((0.25 + 0.5 * (number % 4) / 3) * (len(frames) - 1))
+        place = QPointF(float(frame.x(frames[at])), float(frame.y(values[at])))
+        if np.isfinite(values[at]) and frame.rect.contains(place):
+            painter.setPen(colour)
+            painter.drawText(place + QPointF(2, -2), str(number))
+
     def _paint_preview(
         self, painter: QPainter, frame: Frame, lane: Lane, preview: Preview | None
     ) -> None:
         """Draw the line of a preview, for coordinates with its band."""
         frames, values = self._preview_line(preview, lane)
-        if preview is None or preview.patch is None or not len(frames):
+        if preview is None or not len(frames):
             return
         colour = QColor(self.theme.preview)
-        half = BAND_SIGMAS * preview.patch.sigma
-        # What is derived from coordinates has no band: errors of neighbours depend on each other.
-        if lane.quantity.kind == "position" and np.isfinite(half).all():
-            rows = np.arange(preview.gap.start, preview.gap.stop)
-            middle = preview.patch.values[:, lane.quantity.row]
-            x = np.concatenate((rows, rows[::-1])).astype(float)
-            y = np.concatenate((middle + half, (middle - half)[::-1]))
-            band = QColor(colour)
-            band.setAlpha(60)
-            painter.setBrush(band)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.drawPath(arrayToQPath(frame.x(x), frame.y(y), connect="all"))
-            painter.setBrush(Qt.BrushStyle.NoBrush)
+        self._paint_band(painter, frame, lane, preview, colour, BAND)
         paint_line(painter, frame, frames, values, QPen(colour, 2))
+
+    @staticmethod
+    def _paint_band(
+        painter: QPainter, frame: Frame, lane: Lane, preview: Preview, colour: QColor, alpha: int
+    ) -> None:
+        # What is derived from coordinates has no band: errors of neighbours depend on each other.
+        if preview.patch is None or lane.quantity.kind != "position":
+            return
+        half = BAND_SIGMAS * preview.patch.sigma
+        if not np.isfinite(half).all():
+            return
+        rows = np.arange(preview.gap.start, preview.gap.stop)
+        middle = preview.patch.values[:, lane.quantity.row]
+        x = np.concatenate((rows, rows[::-1])).astype(float)
+        y = np.concatenate((middle + half, (middle - half)[::-1]))
+        band = QColor(colour)
+        band.setAlpha(alpha)
+        painter.setBrush(band)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.drawPath(arrayToQPath(frame.x(x), frame.y(y), connect="all"))
+        painter.setBrush(Qt.BrushStyle.NoBrush)

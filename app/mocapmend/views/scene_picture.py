@@ -20,6 +20,7 @@ from mocapmend.views.painters.body import (
     paint_segments,
     paint_sticks,
 )
+from mocapmend.views.painters.candidates import paint_candidates
 from mocapmend.views.painters.edits import edits_text, paint_edits
 from mocapmend.views.painters.ground import (
     paint_axes,
@@ -86,6 +87,7 @@ class ScenePicture(QWidget):
             view.frame_changed,
             view.selection_changed,
             view.preview_changed,
+            view.candidates_changed,
             document.samples_changed,
         ):
             signal.connect(self.update)
@@ -212,6 +214,7 @@ class ScenePicture(QWidget):
             pixels = shot.project(patch.values)
             shot.pen(self._theme.preview, 1.5)
             shot.painter.drawPath(arrayToQPath(pixels[:, 0], pixels[:, 1], connect="finite"))
+        paint_candidates(shot, self._view.others)
         if ghost is None:
             return
         marker, place = ghost

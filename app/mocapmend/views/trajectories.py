@@ -48,6 +48,7 @@ class Trajectories(PlotCanvas):
         self.setAccessibleName(self.tr("Trajectory plots"))
         view.selection_changed.connect(self.repaint_plots)
         view.preview_changed.connect(self.repaint_plots)
+        view.candidates_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
 
     def set_theme(self, theme: Theme) -> None:
@@ -131,7 +132,12 @@ class Trajectories(PlotCanvas):
         self._left_out = (len(self._view.selection) - len(seen)) * per_marker
         rows = list(zip(lanes, self._rows(area, len(lanes)), strict=True))
         frames = self._painter.paint(
-            painter, rows, self._view.visible, self._view.preview, same_scale=self._same_scale
+            painter,
+            rows,
+            self._view.visible,
+            self._view.preview,
+            self._view.others,
+            same_scale=self._same_scale,
         )
         if self._separate:
             self._paint_markers(painter, rows)

@@ -454,7 +454,7 @@ class Workspace(QMainWindow):
     def _size_panes(self) -> None:
         markers, _, repair, timeline, *_ = self._panes
         self.resizeDocks([markers, repair], [320, 280], Qt.Orientation.Horizontal)
-        height = self.timeline.sizeHint().height() + TAB_HEIGHT
+        height = min(self.timeline.sizeHint().height(), self.height() // 4) + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self._first_layout = self.saveState(LAYOUT_VERSION)
         self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)

@@ -1,0 +1,24 @@
+"""Other repairs of the current gap: where each of them would put the marker."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF
+
+from mocapmend.views.painters.shot import Shot
+from mocapmend.viewstate import Preview
+
+SIZE = 5.0
+
+
+def paint_candidates(shot: Shot, candidates: Sequence[tuple[int, Preview]]) -> None:
+    """Paint small diamonds with the numbers of the repairs that reach into the frame."""
+    for number, candidate in candidates:
+        gap, patch = candidate.gap, candidate.patch
+        if patch is None or not gap.start <= shot.view.frame < gap.stop:
+            continue
+        place = shot.project(patch.values[shot.view.frame - gap.start][None])[0]
+        if np.isfinite(place).all():
+            shot.pen(shot.theme.candidate, 1.0)
+            shot.diamond(place, SIZE)
+            shot.painter.drawText(QPointF(place[0] + SIZE + 1, place[1] - 2), str(number))
