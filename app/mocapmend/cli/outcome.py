@@ -20,17 +20,29 @@ from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import Method
 from mocapmend_algorithms.skeleton import Skeleton
 
+_NOTHING_WRITTEN: Mapping[str, Any] = dict.fromkeys(
+    (
+        "methods_paragraph",
+        "references",
+        "repair_record",
+        "converted_to_floats",
+        "notes",
+        "second_reader",
+        "check",
+    )
+)
+
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """A finished repair."""
+    """A finished repair, or a dry run: then nothing is exported."""
 
     source: Source
     method: Method
     params: Any
     limits: Limits
     result: FillResult
-    exported: Exported
+    exported: Exported | None
 
     @cached_property
     def repairs(self) -> tuple[RepairRow, ...]:
@@ -59,7 +71,7 @@ class Outcome:
             warnings=self.source.warnings,
             earlier=len(self.source.repairs),
             earlier_program=provenance.program if provenance is not None else "",
-            proof=self.exported.sentences,
+            proof=() if self.exported is None else self.exported.sentences,
             edits=self._edits(),
         )
 
@@ -90,10 +102,11 @@ class Outcome:
         recording = self.source.recording
         missing = int(np.count_nonzero(~recording.present))
         filled = sum(row.gap.length for row in self.repairs)
-        methods = self.methods()
+        exported = self.exported
         return {
             **common.facts(self.source),
-            "output": str(self.exported.saved.path),
+            "dry_run": exported is None,
+            "output": None if exported is None else str(exported.saved.path),
             **{name: None if path is None else str(path) for name, path in files.items()},
             "method": self.method.id,
             "parameters": dataclasses.asdict(self.params),
@@ -111,9 +124,15 @@ class Outcome:
                 "samples_missing_before": missing,
                 "samples_missing_after": missing - filled,
             },
+            **(_NOTHING_WRITTEN if exported is None else self._as_written(exported)),
+        }
+
+    def _as_written(self, exported: Exported) -> dict[str, Any]:
+        methods = self.methods()
+        return {
             "methods_paragraph": methods.paragraph,
             "references": list(methods.references),
-            **common.written(self.exported),
+            **common.written(exported),
         }
 
     def _gaps(self, *, samples: bool) -> list[dict[str, Any]]:
@@ -149,8 +168,11 @@ class Outcome:
 
     def show(self, console: Console, files: Mapping[str, Path | None]) -> None:
         """Print it for people."""
-        saved = self.exported.saved
-        console.say(f"Repaired: {saved.path}")
+        exported = self.exported
+        if exported is None:
+            console.say("Dry run:  nothing is written")
+        else:
+            console.say(f"Repaired: {exported.saved.path}")
         for name, path in files.items():
             if path is not None:
                 console.say(f"{name.capitalize() + ':':<10}{path}")
@@ -158,11 +180,12 @@ class Outcome:
         console.say(f"Limits:   {self._limits_text()}")
         total = len(self.repairs) + len(self.result.unfilled)
         filled = sum(row.gap.length for row in self.repairs)
+        title = "To fill:" if exported is None else "Filled:"
         console.say(
-            f"Filled:   {len(self.repairs)} of {common.count(total, 'gap')}, "
+            f"{title:<10}{len(self.repairs)} of {common.count(total, 'gap')}, "
             f"{common.count(filled, 'sample')}{self._worst()}"
         )
-        for note in self.exported.sentences:
+        for note in () if exported is None else exported.sentences:
             console.say(note)
         self._show_open_gaps(console)
 

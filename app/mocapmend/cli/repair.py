@@ -20,6 +20,8 @@ from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, check_ending, read_recording
+from mocapmend.plan import Plan, read_plan
+from mocapmend.prospects import Way
 from mocapmend.report import check_report_ending
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
@@ -36,9 +38,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--method",
         type=_method,
-        default=DEFAULT_METHOD,
         metavar="ID",
-        help=f"one of {', '.join(registry.METHODS)} (default: %(default)s)",
+        help=f"one of {', '.join(registry.METHODS)} (default: {DEFAULT_METHOD})",
     )
     parser.add_argument(
         "--param",
@@ -56,6 +57,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=_millimetres,
         metavar="MM",
         help="leave gaps with a larger expected error open; inf fills all that the method can",
+    )
+    parser.add_argument(
+        "--plan",
+        type=Path,
+        metavar="FILE",
+        help="method, parameters and limits from a plan that was saved in the window",
+    )
+    parser.add_argument(
+        "--dry-run", action="store_true", help="say what would be filled, and write nothing"
     )
     parser.add_argument(
         "--markers",
@@ -80,18 +90,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, console: Console) -> int:
     """Repair a recording, say what was done, and return the exit code."""
-    method: registry.Method = arguments.method
-    params = _params(method, arguments.param)
-    out = target.choose(arguments, arguments.report, arguments.recipe)
+    out = _target(arguments)
     if arguments.report is not None:
         check_report_ending(arguments.report)
+    given = _given(arguments)
     source = read_recording(arguments.file)
-    check_ending(source, out)
+    if out is not None:
+        check_ending(source, out)
     common.show_warnings(source, console)
-    _check_source(source, accept_truncated=arguments.accept_truncated)
+    _check_source(source, accept_truncated=arguments.accept_truncated or arguments.dry_run)
+    method, params = registry.method(given.way.method), given.way.params
     markers.require(source, getattr(params, "donors", ()))
-    limits = Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
+    limits = given.limits(source.recording.rate) if arguments.plan else _limits(arguments)
     result = _fill(source, arguments.markers, method, params, limits, console)
+    files = {"report": arguments.report, "recipe": arguments.recipe}
+    if out is None:
+        done = outcome.Outcome(source, method, params, limits, result, None)
+        console.result(**done.as_json(files, samples=arguments.samples))
+        done.show(console, files)
+        return 0
     console.start("Writing")
     changes = engine.changes_of(source, result, method.id, params)
     if arguments.recipe is not None:
@@ -109,11 +126,35 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     if arguments.report is not None:
         console.start("Report")
         _write_report(done, arguments.report, console)
-    files = {"report": arguments.report, "recipe": arguments.recipe}
     if console.as_json:
         console.result(**done.as_json(files, samples=arguments.samples))
     done.show(console, files)
     return 0
+
+
+def _target(arguments: argparse.Namespace) -> Path | None:
+    """Return where the repaired copy goes; None in a dry run, which writes nothing."""
+    if not arguments.dry_run:
+        return target.choose(arguments, arguments.report, arguments.recipe)
+    for name in ("output", "in_place", "report", "recipe"):
+        if getattr(arguments, name):
+            raise UsageError(f"--dry-run writes nothing: leave out --{name.replace('_', '-')}")
+    return None
+
+
+def _given(arguments: argparse.Namespace) -> Plan:
+    """Return what the plan says, or the arguments."""
+    chosen = (arguments.method, arguments.param, arguments.max_gap, arguments.max_error)
+    if arguments.plan is None:
+        method = arguments.method or registry.method(DEFAULT_METHOD)
+        return Plan(Way(method.id, _params(method, arguments.param)))
+    if any(value not in (None, []) for value in chosen):
+        raise UsageError("--plan says the method and the limits: give no others")
+    return read_plan(arguments.plan)
+
+
+def _limits(arguments: argparse.Namespace) -> Limits:
+    return Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
 
 
 def _shipped() -> str:
