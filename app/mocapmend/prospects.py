@@ -88,9 +88,11 @@ class Prospects:
         return gap in self._tried
 
     def add(self, way: Way, gaps: Iterable[Gap], result: FillResult) -> None:
-        """Keep what a way has made of gaps."""
+        """Keep what a way has made of gaps; what is known already stays the same object."""
         for preview in previews(way, gaps, result):
             gap, error = preview.gap, preview.expected_error
+            if (gap, way) in self._known:
+                continue
             self._known[gap, way] = preview
             self._tried.add(gap)
             best = self._best.get(gap)
