@@ -177,7 +177,7 @@ class QueuePane(QWidget):
         header.setStretchLastSection(True)
         widest = {
             Column.STATUS: "⊘",
-            Column.MARKER: "MMMMMMMM",
+            Column.MARKER: "MMMMMMMMM",
             Column.FRAMES: "0000",
             Column.ERROR: "000.0",
             Column.HARM: "00000",
@@ -188,7 +188,7 @@ class QueuePane(QWidget):
         }
         for column, text in widest.items():
             title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
-            header.resizeSection(column, max(advance(text), advance(title) + 10) + 12)
+            header.resizeSection(column, max(advance(text), advance(title)) + 14)
         table.clicked.connect(self._go_to)
         table.selectionModel().selectionChanged.connect(self._lead)
         return table

@@ -5,14 +5,20 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from mocapmend.views.painters.shot import Shot
+from mocapmend.views.painters.shot import Array, Shot
 from mocapmend.viewstate import Preview
 
 SIZE = 5.0
+APART = 11.0
+"""Pixels between numbers."""
 
 
 def paint_candidates(shot: Shot, candidates: Sequence[tuple[int, Preview]]) -> None:
-    """Paint small diamonds with the numbers of the repairs that reach into the frame."""
+    """Paint small diamonds with the numbers of the repairs that reach into the frame.
+
+    A number that would lie on another one is left out.
+    """
+    numbered: list[Array] = []
     for number, candidate in candidates:
         gap, patch = candidate.gap, candidate.patch
         if patch is None or not gap.start <= shot.view.frame < gap.stop:
@@ -21,4 +27,6 @@ def paint_candidates(shot: Shot, candidates: Sequence[tuple[int, Preview]]) -> N
         if np.isfinite(place).all():
             shot.pen(shot.theme.candidate, 1.0)
             shot.diamond(place, SIZE)
-            shot.painter.drawText(QPointF(place[0] + SIZE + 1, place[1] - 2), str(number))
+            if all(np.abs(place - other).max() > APART for other in numbered):
+                numbered.append(place)
+                shot.painter.drawText(QPointF(place[0] + SIZE + 1, place[1] - 2), str(number))
