@@ -256,7 +256,11 @@ def test_a_click_finds_the_marker_of_the_frame_that_is_not_painted_yet(
 
 
 def test_the_switches_of_the_view_are_remembered(
-    open_in: Callable[[Path], MainWindow], gait: Path, settings: Settings, qtbot: QtBot
+    open_in: Callable[[Path], MainWindow],
+    gait: Path,
+    sprint: Path,
+    settings: Settings,
+    qtbot: QtBot,
 ) -> None:
     window = open_in(gait)
     assert window.workspace is not None
@@ -270,7 +274,7 @@ def test_the_switches_of_the_view_are_remembered(
     for name, shown in SHOWN.items():
         assert again.actions_by_id[name].isChecked() != shown.default
     changed = window.workspace.scene.layers
-    window = open_in(gait)
+    window = open_in(sprint)
     assert window.workspace is not None
     assert window.workspace.scene.layers == changed
     assert window.workspace.scene.trail_seconds == 1.0

@@ -27,6 +27,7 @@ class Scene(ScenePicture):
         self, document: Document, view: ViewState, theme: Theme, parent: QWidget | None = None
     ) -> None:
         super().__init__(document, view, theme, parent)
+        view.picking_changed.connect(self._show_picking)
         self._press: QPointF | None = None
         self._dragged = False
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -135,6 +136,10 @@ class Scene(ScenePicture):
         self.camera.zoom(factor)
         self.camera.distance = float(np.clip(self.camera.distance, *NEAR_AND_FAR * self._size))
         self.update()
+
+    def _show_picking(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
+        """Let the mouse look as if it picked donors, or as ever."""
+        self.setCursor(Qt.CursorShape.CrossCursor if on else Qt.CursorShape.ArrowCursor)
 
     def _select_inside(self, box: QRectF, *, add: bool) -> None:
         """Select the markers in a box of the picture, in place of the others or beside them."""

@@ -20,7 +20,7 @@ from mocapmend.views.painters.body import (
     paint_segments,
     paint_sticks,
 )
-from mocapmend.views.painters.candidates import paint_candidates
+from mocapmend.views.painters.candidates import paint_candidates, paint_donors
 from mocapmend.views.painters.edits import edits_text, paint_edits
 from mocapmend.views.painters.ground import (
     paint_axes,
@@ -215,6 +215,7 @@ class ScenePicture(QWidget):
             shot.pen(self._theme.preview, 1.5)
             shot.painter.drawPath(arrayToQPath(pixels[:, 0], pixels[:, 1], connect="finite"))
         paint_candidates(shot, self._view.others)
+        paint_donors(shot, preview)
         if ghost is None:
             return
         marker, place = ghost

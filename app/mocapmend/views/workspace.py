@@ -278,6 +278,8 @@ class Workspace(QMainWindow):
         """Let clicks on markers choose donors."""
         if on and not self.repair.takes_donors:
             self.message.emit(self.tr("This method takes no donors."))
+        elif on:
+            self.message.emit(self.tr("Click markers to choose donors; D ends it."))
         self.view.set_picking(on and self.repair.takes_donors)
 
     def _show_filling(self) -> None:

@@ -1,14 +1,16 @@
-"""Other repairs of the current gap: where each of them would put the marker."""
+"""Where other repairs of the current gap would put the marker, and what the repair leans on."""
 
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, QRectF
 
 from mocapmend.views.painters.shot import Array, Shot
 from mocapmend.viewstate import Preview
 
 SIZE = 5.0
+DONOR = 6.0
+"""Half the side of the square around a donor."""
 APART = 11.0
 """Pixels between numbers."""
 
@@ -30,3 +32,15 @@ def paint_candidates(shot: Shot, candidates: Sequence[tuple[int, Preview]]) -> N
             if all(np.abs(place - other).max() > APART for other in numbered):
                 numbered.append(place)
                 shot.painter.drawText(QPointF(place[0] + SIZE + 1, place[1] - 2), str(number))
+
+
+def paint_donors(shot: Shot, preview: Preview | None) -> None:
+    """Paint squares around the markers that the previewed repair is computed from."""
+    if preview is None or not preview.donors:
+        return
+    donors = set(preview.donors)
+    shot.pen(shot.theme.preview, 1.0)
+    for marker, label in enumerate(shot.document.original.labels):
+        x, y = shot.pixels[marker]
+        if label in donors and np.isfinite(x):
+            shot.painter.drawRect(QRectF(x - DONOR, y - DONOR, 2 * DONOR, 2 * DONOR))
