@@ -129,7 +129,10 @@ def test_tables_and_panes_grow_with_their_text(
     open_in: Callable[[Path], MainWindow], gait: Path, qtbot: QtBot
 ) -> None:
     window = open_in(gait)
+    # Room to grow: at 1280 pixels the middle has the least that it can do with.
+    window.resize(1900, 900)
     assert window.workspace is not None
+    window.workspace.show_pane(window.workspace.markers)
     table: QTableView = window.workspace.markers.table
     qtbot.waitUntil(lambda: window.workspace.arranged)
     pane = window.workspace.panes()[0]

@@ -84,8 +84,8 @@ def test_all_follows_the_current_tab(both: MainWindow, sprint: Path, gait: Path)
     first.go_to_frame(200)
     assert both.transport._frame.value() == second.view.frame + second.document.original.first_frame
     both.actions_by_id["labels"].trigger()
-    assert first.scene.show_labels
-    assert second.scene.show_labels
+    assert "labels" in first.scene.layers
+    assert "labels" in second.scene.layers
 
 
 def test_edits_belong_to_one_tab(both: MainWindow, qtbot: QtBot) -> None:

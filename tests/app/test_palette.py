@@ -33,7 +33,7 @@ def by_text(window: MainWindow) -> dict[str, Entry]:
 def test_every_action_is_offered_with_its_menu_and_keys(window: MainWindow) -> None:
     found = entries(window)
     assert len(found) == len(ACTIONS) - 1
-    assert by_text(window)["Marker labels"].place == "View"
+    assert by_text(window)["Marker labels"].place == "View › Show in 3D"
     assert by_text(window)["Marker labels"].keys == "L"
     assert by_text(window)["Light"].place == "View › Theme"
     window.shortcuts.choose("labels", [QKeySequence("Ctrl+L")])

@@ -170,7 +170,9 @@ def test_an_empty_plot_says_why(tmp_path: Path, qtbot: QtBot) -> None:
     assert painter._message(Lane(Quantity.X, (curve,))) == ""
 
 
-def test_choices_are_remembered(open_in: Open, gait: Path, settings: Settings) -> None:
+def test_choices_are_remembered(
+    open_in: Open, gait: Path, sprint: Path, settings: Settings
+) -> None:
     window = open_in(gait)
     actions = window.actions_by_id
     assert actions["plot_position"].isChecked()
@@ -182,7 +184,7 @@ def test_choices_are_remembered(open_in: Open, gait: Path, settings: Settings) -
         actions[action].blockSignals(True)
         actions[action].setChecked(False)
         actions[action].blockSignals(False)
-    window = open_in(gait)
+    window = open_in(sprint)
     assert window.workspace is not None
     lanes = window.workspace.trajectories.lanes()
     assert [lane.quantity for lane in lanes] == [*POSITION, Quantity.SPEED]
@@ -217,6 +219,7 @@ def test_the_bone_is_one_of_the_marker_or_the_last_two_selected(
     window = open_in(gait)
     workspace = window.workspace
     assert workspace is not None
+    qtbot.waitUntil(lambda: bool(workspace.document.skeleton.bones), timeout=20_000)
     marker = workspace.document.skeleton.bones[0][0]
     workspace.view.select((marker,))
     qtbot.keyClick(workspace, Qt.Key.Key_B)

@@ -15,7 +15,6 @@ from mocapmend.views.main_window import MainWindow
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import no_progress
-from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.registry import METHODS
 
 Open = Callable[[Path], MainWindow]
@@ -112,8 +111,7 @@ def test_the_paragraph_is_copied(workspace: Workspace, qtbot: QtBot) -> None:
 
 def test_reasons_of_a_fill_that_filled_nothing_are_told(workspace: Workspace, qtbot: QtBot) -> None:
     gap = workspace.document.gaps[0]
-    unfilled = FillResult((), (Unfilled(gap, "it is too far away"),))
-    workspace._accept_all("linear", METHODS["linear"].params(), unfilled)
+    workspace.document.leave_open({gap: "it is too far away"})
     text = workspace.report.methods.text
     qtbot.waitUntil(lambda: "it is too far away (1 gap)" in text.toPlainText(), timeout=20_000)
 

@@ -48,7 +48,7 @@ def test_the_help_lists_every_action(window: MainWindow, dialog: ShortcutsDialog
 
 
 def test_it_is_searched_by_name_and_by_key(dialog: ShortcutsDialog) -> None:
-    dialog.field.setText("trail")
+    dialog.field.setText("trail of the")
     assert [text for text, _ in rows(dialog)] == ["Trail of the selection"]
     dialog.field.setText("]")
     assert [text for text, _ in rows(dialog)] == ["Faster"]

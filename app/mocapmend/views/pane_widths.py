@@ -36,7 +36,8 @@ class PaneWidths(QObject):
         panes = [
             pane
             for pane in self._around.findChildren(QDockWidget)
-            if pane.isVisible()
+            # Of panes that share a place, the one in front.
+            if not pane.visibleRegion().isEmpty()
             and not pane.isFloating()
             and self._around.dockWidgetArea(pane) in SIDES
         ]

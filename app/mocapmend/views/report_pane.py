@@ -68,8 +68,7 @@ class ReportPane(QWidget):
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY_MS)
         self._timer.timeout.connect(self._compute)
-        if document.found_skeleton is not None:
-            self._timer.start()
+        self._timer.start()
         document.samples_changed.connect(self._timer.start)
         document.skeleton_changed.connect(self._timer.start)
         view.frame_changed.connect(self._move_playheads)
@@ -133,6 +132,9 @@ class ReportPane(QWidget):
     def _compute(self) -> None:
         self.stop()
         document = self._document
+        if document.found_skeleton is None:
+            # The signal that it is there comes back here.
+            return
         job = self._jobs.compute(
             self.tr("Report"),
             engine.report_figures,

@@ -40,6 +40,8 @@ def event_tip(document: Document, event: Event) -> str:
 def description(document: Document, view: ViewState) -> str:
     """Return what is under the playhead, in sentences."""
     original, frame = document.original, view.frame
+    if not original.frames:
+        return translate("TimelineTexts", "The recording has no frames.")
     missing = int(np.count_nonzero(document.state[frame] == SampleState.MISSING))
     sentences = [
         translate("TimelineTexts", "Frame {0}, {1} s: {2} of {3} markers are missing.").format(

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabW
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import NO_SKELETON, Document, Edit
 from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
@@ -25,6 +25,7 @@ from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
+from mocapmend.views.pane_widths import PaneWidths
 from mocapmend.views.plan_pane import PlanPane
 from mocapmend.views.player import Player
 from mocapmend.views.plot_pane import PlotPane
@@ -116,6 +117,7 @@ class Workspace(QMainWindow):
         self._first_layout = QByteArray()
         self._searching: Job | None = None
         self._arrange()
+        PaneWidths(self)
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.filling.started.connect(self._show_filling)
@@ -169,6 +171,8 @@ class Workspace(QMainWindow):
             quiet=True,
         )
         job.finished.connect(self.document.set_skeleton)
+        # What waits for the bones goes on without them.
+        job.failed.connect(lambda _: self.document.set_skeleton(NO_SKELETON))
         job.failed.connect(self.failed)
         self._searching = job
 
