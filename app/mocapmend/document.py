@@ -126,6 +126,8 @@ class Document(QObject):
         self.repairs = dict(self._earlier)
         self.left_open: dict[Gap, str] = {}
         """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
+        self.set_aside: set[Gap] = set()
+        """Those of them that the user has looked at and left open."""
         self.names = short_names(source.recording.labels)
         self._samples = WorkingCopy(source.recording.points)
         # Trajectories are what is looked through: in memory each is one piece.
@@ -211,9 +213,15 @@ class Document(QObject):
         self.left_open |= reasons
         self.left_open_changed.emit()
 
+    def put_aside(self, gap: Gap, reason: str) -> None:
+        """Note that the user has looked at a gap and leaves it open."""
+        self.set_aside.add(gap)
+        self.leave_open({gap: reason})
+
     def take_up(self, gap: Gap) -> None:
         """Count a gap as open again that was left so."""
         if self.left_open.pop(gap, None) is not None:
+            self.set_aside.discard(gap)
             self.left_open_changed.emit()
 
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:

@@ -18,10 +18,12 @@ class Status(IntEnum):
     """What has become of a gap."""
 
     OPEN = 0
-    LEFT = 1
-    """Left open, by the limits or by the user."""
-    REPAIRED = 2
-    NEVER = 3
+    BEYOND = 1
+    """Open, since no repair was within the limits."""
+    LEFT = 2
+    """Left open by the user."""
+    REPAIRED = 3
+    NEVER = 4
     """Never to be filled."""
 
 

@@ -16,6 +16,7 @@ from pytestqt.qtbot import QtBot
 from mocapmend.errors import MocapmendError
 from mocapmend.plan import Plan, read_plan, write_plan
 from mocapmend.prospects import Way
+from mocapmend.ranking import Status
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms.fill.limits import Limits
@@ -80,6 +81,9 @@ def test_the_dry_run_says_what_filling_does(opened: MainWindow, qtbot: QtBot) ->
     assert document.undo_stack.count() == 1
     assert list(document.left_open) == [g for g in HOLES.values() if g not in filled]
     qtbot.waitUntil(lambda: workspace.plan.model.rowCount() == 1)
+    workspace.queue.model.refresh()
+    assert workspace.queue.model.gaps == list(document.left_open), "what is left is next"
+    assert workspace.queue.model.problem(0).status is Status.BEYOND
     document.undo_stack.undo()
     assert not document.repairs
     qtbot.waitUntil(lambda: workspace.plan.model.rowCount() == 3)

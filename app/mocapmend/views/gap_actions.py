@@ -93,11 +93,11 @@ class GapActions(QObject):
         gap = self._open_gap()
         if gap is None:
             return
-        if gap in self._document.left_open:
+        if gap in self._document.set_aside:
             self._document.take_up(gap)
             self.message.emit(self.tr("The gap is open again."))
         else:
-            self._document.leave_open({gap: self.tr("left open by hand")})
+            self._document.put_aside(gap, self.tr("left open by hand"))
             self.step(1)
 
     def never_fill(self) -> None:

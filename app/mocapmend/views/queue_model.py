@@ -38,7 +38,14 @@ _ORDER_OF = {
     Column.STATUS: "status", Column.MARKER: "marker", Column.FRAMES: "length",
     Column.ERROR: "error", Column.HARM: "harm", Column.MS: "length", Column.PLACE: "time",
 }  # fmt: skip
-GLYPHS = {Status.OPEN: "○", Status.LEFT: "◐", Status.REPAIRED: "●", Status.NEVER: "⊘"}
+GLYPHS = {
+    Status.OPEN: "○",
+    Status.BEYOND: "◌",
+    Status.LEFT: "◐",
+    Status.REPAIRED: "●",
+    Status.NEVER: "⊘",
+}
+TO_DO = frozenset({Status.OPEN, Status.BEYOND})
 
 
 @dataclass(frozen=True)
@@ -56,7 +63,7 @@ class Filter:
     """
 
     text: str = ""
-    status: frozenset[Status] = frozenset({Status.OPEN})
+    status: frozenset[Status] = TO_DO
     shortest_ms: float = 0.0
     longest_ms: float = math.inf
 
@@ -154,7 +161,7 @@ class QueueModel(QAbstractTableModel):
         found = [
             Problem(
                 gap,
-                Status.LEFT if gap in document.left_open else Status.OPEN,
+                self._status(gap),
                 self._prospects.best(gap),
                 document.left_open.get(gap, ""),
                 self._prospects.tried(gap),
@@ -166,6 +173,12 @@ class QueueModel(QAbstractTableModel):
             found.append(Problem(gap, Status.REPAIRED, _made(gap, repair), tried=True))
         found += [Problem(gap, Status.NEVER, tried=True) for gap in document.never]
         return found
+
+    def _status(self, gap: Gap) -> Status:
+        """Return what has become of a gap that is open."""
+        if gap in self._document.set_aside:
+            return Status.LEFT
+        return Status.BEYOND if gap in self._document.left_open else Status.OPEN
 
     def _passes(self, problem: Problem) -> bool:
         chosen = self._filter
@@ -210,6 +223,7 @@ class QueueModel(QAbstractTableModel):
         """Return what a status is called."""
         return {
             Status.OPEN: self.tr("open"),
+            Status.BEYOND: self.tr("beyond the limits"),
             Status.LEFT: self.tr("left open"),
             Status.REPAIRED: self.tr("repaired"),
             Status.NEVER: self.tr("never to be filled"),
@@ -270,7 +284,7 @@ class QueueModel(QAbstractTableModel):
             lines.append(problem.reason)
         if best is not None:
             lines.append(method_label(best.method))
-        elif problem.tried and problem.status in (Status.OPEN, Status.LEFT):
+        elif problem.tried and problem.status < Status.REPAIRED:
             lines.append(self.tr("No repair that was tried could be tested here"))
         return "\n".join(lines)
 

@@ -24,7 +24,7 @@ from mocapmend.prospects import Prospects
 from mocapmend.ranking import Status
 from mocapmend.settings import RANKING, Settings
 from mocapmend.views.labels import LabelDelegate
-from mocapmend.views.queue_model import Column, Filter, QueueModel
+from mocapmend.views.queue_model import TO_DO, Column, Filter, QueueModel
 from mocapmend.views.survey import Survey
 from mocapmend.views.tables import dress
 from mocapmend.viewstate import ViewState
@@ -135,7 +135,8 @@ class QueuePane(QWidget):
 
     def _statuses(self) -> tuple[_Choice, ...]:
         return (
-            _Choice(self.tr("Open"), frozenset({Status.OPEN})),
+            _Choice(self.tr("Open"), TO_DO),
+            _Choice(self.tr("Beyond the limits"), frozenset({Status.BEYOND})),
             _Choice(self.tr("Left open"), frozenset({Status.LEFT})),
             _Choice(self.tr("Repaired"), frozenset({Status.REPAIRED})),
             _Choice(self.tr("Never to be filled"), frozenset({Status.NEVER})),
