@@ -88,6 +88,7 @@ class QueuePane(QWidget):
         self._timer.setInterval(DELAY_MS)
         self._timer.timeout.connect(self.model.refresh)
         self.model.modelReset.connect(self._show)
+        self.model.dataChanged.connect(self._show_said)
         document.samples_changed.connect(self._timer.start)
         document.left_open_changed.connect(self._timer.start)
         survey.advanced.connect(self._timer.start)
