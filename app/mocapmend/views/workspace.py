@@ -45,6 +45,8 @@ from mocapmend_algorithms.fill.limits import default_frames
 
 LAYOUT_VERSION = 5
 TAB_HEIGHT = 36
+JOURNAL_MS = 50
+"""How often it is looked whether a large step has reached the journal."""
 
 
 class Workspace(QMainWindow):
@@ -76,6 +78,9 @@ class Workspace(QMainWindow):
         self._jobs = jobs
         self._settings = settings
         self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
+        self._journal_timer = QTimer(self)
+        self._journal_timer.setInterval(JOURNAL_MS)
+        self._journal_timer.timeout.connect(self._look_at_journal)
         original = document.original
         self.view = ViewState(original.frames, self)
         self.player = Player(self.view, original.rate, self)
@@ -127,6 +132,7 @@ class Workspace(QMainWindow):
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
         document.undo_stack.cleanChanged.connect(self.recorder.export)
+        document.undo_stack.indexChanged.connect(self._journal_timer.start)
         document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
@@ -299,9 +305,11 @@ class Workspace(QMainWindow):
 
     def _lead(self) -> None:
         """Begin at the worst gap that is known, unless the user has begun already."""
-        worst = self.queue.worst()
         untouched = self.view.gap == self._first and not self.document.undo_stack.count()
-        if self.survey.portions == 1 and untouched and worst is not None:
+        if self.survey.portions != 1 or not untouched:
+            return
+        worst = self.queue.worst()
+        if worst is not None:
             self._show_gap(worst)
 
     def push(self, edits: list[Edit], text: str) -> None:
@@ -309,6 +317,10 @@ class Workspace(QMainWindow):
         command = EditSamples(self.document, edits, text)
         self.recorder.push(text, edits)
         self.document.undo_stack.push(command)
+
+    def _look_at_journal(self) -> None:
+        if self.recorder.poll():
+            self._journal_timer.stop()
 
     def _show_first_gap(self) -> None:
         """Begin at the longest of the shorter gaps, with the whole recording in view."""
