@@ -9,15 +9,14 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from mocapmend import engine
-from mocapmend.engine import Changes
-from mocapmend.files import RepairRecord, Source
+from mocapmend.files import Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import Changed, SharedRecording
 from mocapmend.state import ABSENT, SampleState
+from mocapmend.unsaved import Unsaved
 from mocapmend.working_copy import WorkingCopy
-from mocapmend.written import differing, differing_runs, places_of, shares_of
+from mocapmend.written import differing, places_of, shares_of
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.skeleton import Skeleton
@@ -291,25 +290,15 @@ class Document(QObject):
         self.revision += 1
         self.samples_changed.emit(changed)
 
-    def changes(self) -> Changes:
-        """Return what differs from the file, for saving.
+    def unsaved(self) -> Unsaved:
+        """Return what may differ from the file, for saving.
 
         Measured samples that an open gap covers are not among it: the file keeps them.
         """
         frames, markers = places = places_of(self._written)
         covered = np.isin(self._state[places], ABSENT) & self.original.present[places]
         rest = frames[~covered], markers[~covered]
-        runs = differing_runs(self.points, self.source.recording.points, rest)
-        return Changes(tuple(runs), self.records())
-
-    def records(self) -> tuple[RepairRecord, ...]:
-        """Return all repairs as the repair record has them."""
-        return tuple(
-            engine.record(
-                self.source, repair.patch, repair.method, repair.params, donors=repair.donors
-            )
-            for _, repair in sorted(self.repairs.items())
-        )
+        return Unsaved(self.source, rest, self._samples.current[rest], dict(self.repairs))
 
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""

@@ -77,7 +77,7 @@ def pauses(path: Path) -> dict[str, float]:
         found["exporting"] = heart.stop()
         heart = Heart()
         with scrubbing(workspace):
-            shown.files.write(
+            shown.files.write_apart(
                 "Report",
                 engine.write_report,
                 *workspace.report_inputs(),
