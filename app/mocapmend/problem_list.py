@@ -57,7 +57,7 @@ class ProblemList:
             (Status.OPEN, Status.REPAIRED, Status.NEVER),
             (self._open, len(repairs), len(never)),
         )
-        self.status = np.repeat(kinds, counts)
+        self.status = np.repeat(np.array(kinds, np.intp), counts)
         left = document.left_open
         if left:
             self.status[: self._open][[gap in left for gap in open_gaps]] = Status.LEFT
@@ -109,8 +109,11 @@ class ProblemList:
         shortest, longest : float
             In frames.
         """
-        passes = np.isin(self.status, list(status))
-        passes &= np.isin(self.marker, list(markers))
+        of_status = np.zeros(len(Status), bool)
+        of_status[list(status)] = True
+        of_marker = np.zeros(self._document.original.markers, bool)
+        of_marker[list(markers)] = True
+        passes = of_status[self.status] & of_marker[self.marker]
         passes &= (shortest < self.length) & (self.length <= longest)
         return np.flatnonzero(passes)
 

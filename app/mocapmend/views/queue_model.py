@@ -132,7 +132,8 @@ class QueueModel(QAbstractTableModel):
         self.refresh()
 
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
-        if 0 <= column < len(Column):
+        wanted = (column, order == Qt.SortOrder.DescendingOrder)
+        if 0 <= column < len(Column) and wanted != self._order:
             self._order = (Column(column), order == Qt.SortOrder.DescendingOrder)
             self.refresh()
 

@@ -165,8 +165,9 @@ class QueuePane(QWidget):
     def _make_table(self) -> QTableView:
         table = QTableView()
         table.setModel(self.model)
+        # Before the table sorts: else it does so twice.
+        table.horizontalHeader().setSortIndicator(Column.HARM, Qt.SortOrder.DescendingOrder)
         table.setSortingEnabled(True)
-        table.sortByColumn(Column.HARM, Qt.SortOrder.DescendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Queue of gaps"))
         dress(table)

@@ -72,7 +72,8 @@ class Survey(QObject):
     def progress(self) -> tuple[int, int]:
         """Return how many of the open gaps have been tried, and how many there are."""
         self._list()
-        return sum(map(self._prospects.errors.__contains__, self._gaps)), len(self._gaps)
+        tried = self._prospects.errors
+        return sum(gap in tried for gap in self._gaps) if tried else 0, len(self._gaps)
 
     def _list(self) -> None:
         """List the gaps anew where they have changed."""

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabW
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import NO_SKELETON, Document, Edit
 from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
@@ -175,8 +175,12 @@ class Workspace(QMainWindow):
             quiet=True,
         )
         job.finished.connect(self.document.set_skeleton)
-        job.failed.connect(self.failed)
+        job.failed.connect(self._do_without_skeleton)
         self._searching = job
+
+    def _do_without_skeleton(self, error: Exception) -> None:
+        self.document.set_skeleton(NO_SKELETON)
+        self.failed.emit(error)
 
     @property
     def saved(self) -> bool:
@@ -326,19 +330,21 @@ class Workspace(QMainWindow):
         """Begin at the longest of the shorter gaps, with the whole recording in view."""
         original = self.document.original
         ordered = in_time_order(self.document.gaps, original.frames)
-        seen = original.present.mean(axis=0) if original.frames else np.empty(0)
         longest = default_frames(original.rate)
         within = [
             gap
             for gap in ordered
-            if gap.kind(original.frames) == "interior"
-            and gap.length <= longest
-            # Fragments of trajectories and frames without a body are no place to begin.
-            and not original.labels[gap.marker].startswith("*")
-            and seen[gap.marker] > 0.5
-            and original.present[gap.start].mean() > 0.5
+            if gap.length <= longest and gap.kind(original.frames) == "interior"
         ]
-        gap = max(within, key=lambda gap: gap.length, default=None)
+        # Fragments of trajectories and frames without a body are no place to begin.
+        fit = (
+            gap
+            for gap in sorted(within, key=lambda gap: -gap.length)
+            if not original.labels[gap.marker].startswith("*")
+            and original.present[:, gap.marker].mean() > 0.5
+            and original.present[gap.start].mean() > 0.5
+        )
+        gap = next(fit, None)
         self._first = gap
         if gap is not None:
             self._show_gap(gap)
@@ -379,8 +385,8 @@ class Workspace(QMainWindow):
         """Return what `engine.write_report` needs, as it is now."""
         document = self.document
         return (
-            document.original,
-            document.snapshot(),
+            document.share_original(),
+            document.share(),
             document.skeleton,
             document.repair_rows(),
             self.facts.unfilled(),

@@ -435,6 +435,7 @@ def test_a_large_step_is_on_the_disk_before_the_next_is_noted(
         session.do(2)
         session.recorder.wait()
     assert len(session.errors) == 1
+    session.crash()
 
 
 def test_after_a_full_disk_the_edits_before_can_be_recovered(
