@@ -9,6 +9,7 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.recording import Recording
 
 TOLERANCE_MM = 10.0
+SOME_BONES = 8
 CHUNK = 256
 """Frames measured at a time: what fits into the processor's cache is several times as fast."""
 
@@ -157,6 +158,14 @@ def bone_spread(lengths: FloatArray) -> FloatArray:
     ndarray, shape (bones,)
         Coefficient of variation in %; NaN for a bone seen in fewer than two frames or of length 0.
     """
+    found = np.empty(lengths.shape[1])
+    # A few at a time: of all at once there would be three copies of the lengths.
+    for start in range(0, lengths.shape[1], SOME_BONES):
+        found[start : start + SOME_BONES] = _spread(lengths[:, start : start + SOME_BONES])
+    return found
+
+
+def _spread(lengths: FloatArray) -> FloatArray:
     seen = ~np.isnan(lengths)
     count = seen.sum(axis=0)
     safe = np.maximum(count, 1)

@@ -9,15 +9,14 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from mocapmend import engine
-from mocapmend.engine import Changes
-from mocapmend.files import RepairRecord, Source
+from mocapmend.files import Source
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import Changed, SharedRecording
 from mocapmend.state import ABSENT, SampleState
+from mocapmend.unsaved import Unsaved
 from mocapmend.working_copy import WorkingCopy
-from mocapmend.written import differing, differing_runs, places_of, shares_of
+from mocapmend.written import differing, places_of, shares_of
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.skeleton import Skeleton
@@ -80,8 +79,16 @@ class Edit:
     @classmethod
     def fills(cls, result: FillResult, method: str, params: object) -> list["Edit"]:
         """Make the edits that put all patches of a method's result in their gaps."""
+        # A view for each: ten thousand arrays of their own take long.
+        filled = np.full(max((p.gap.length for p in result.patches), default=0), FILLED)
         return [
-            cls.fill(patch, method, params, result.donors(patch.gap)) for patch in result.patches
+            cls(
+                patch.gap,
+                patch.values,
+                filled[: patch.gap.length],
+                Repair(method, params, patch, result.donors(patch.gap)),
+            )
+            for patch in result.patches
         ]
 
     @classmethod
@@ -139,6 +146,7 @@ class Document(QObject):
             self._state[gap.start : gap.stop, gap.marker] = SampleState.FILLED
         self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
         self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
+        self._all_gaps: list[Gap] | None = None
         self._written: set[Gap] = set()
         """Runs in which the samples may differ from those of the file."""
         self._shared_file: SharedRecording | None = None
@@ -176,8 +184,10 @@ class Document(QObject):
 
     @property
     def gaps(self) -> list[Gap]:
-        """The gaps that are open now, by marker and start."""
-        return [gap for of_marker in self._gaps for gap in of_marker]
+        """The gaps that are open now, by marker and start; not to be changed."""
+        if self._all_gaps is None:
+            self._all_gaps = [gap for of_marker in self._gaps for gap in of_marker]
+        return self._all_gaps
 
     def gaps_of(self, marker: int) -> list[Gap]:
         """Return the open gaps of one marker, by start."""
@@ -284,28 +294,19 @@ class Document(QObject):
         for marker in {gap.marker for gap in changed}:
             self._runs[marker] = self._find_runs(marker)
             self._gaps[marker] = self._find_gaps(marker)
+        self._all_gaps = None
         self.revision += 1
         self.samples_changed.emit(changed)
 
-    def changes(self) -> Changes:
-        """Return what differs from the file, for saving.
+    def unsaved(self) -> Unsaved:
+        """Return what may differ from the file, for saving.
 
         Measured samples that an open gap covers are not among it: the file keeps them.
         """
         frames, markers = places = places_of(self._written)
         covered = np.isin(self._state[places], ABSENT) & self.original.present[places]
         rest = frames[~covered], markers[~covered]
-        runs = differing_runs(self.points, self.source.recording.points, rest)
-        return Changes(tuple(runs), self.records())
-
-    def records(self) -> tuple[RepairRecord, ...]:
-        """Return all repairs as the repair record has them."""
-        return tuple(
-            engine.record(
-                self.source, repair.patch, repair.method, repair.params, donors=repair.donors
-            )
-            for _, repair in sorted(self.repairs.items())
-        )
+        return Unsaved(self.source, rest, self._samples.current[rest], dict(self.repairs))
 
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""
@@ -332,6 +333,5 @@ def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:
     mm = source.recording.mm
     for gap, record in zip(source.repaired, source.repairs, strict=True):
         values = source.recording.points[gap.start : gap.stop, gap.marker].copy()
-        sigma = np.full(gap.length, record.expected_error_mm / mm / np.sqrt(3.0))
-        patch = Patch(gap, values, sigma, np.full(gap.length, record.r90_mm / mm))
+        patch = Patch.stated(gap, values, record.expected_error_mm / mm, record.r90_mm / mm)
         yield gap, Repair(record.method, record.parameters, patch, record.donors)

@@ -7,6 +7,7 @@ reading and writing files runs in a thread.
 import gc
 import multiprocessing
 import os
+import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import (
@@ -32,6 +33,12 @@ SLOTS = 32
 WORKERS = 2
 """One for what takes long, one for the preview that the user waits for."""
 SLOW_TO_LOAD = ("mocapmend.engine", "scipy.linalg", "scipy.optimize")
+SWITCH_S = 0.0005
+"""How long a thread may keep the interpreter while the window's thread waits for it.
+
+Every call into Qt gives the interpreter away for a moment; with Python's own 5 ms a picture that
+is painted beside a busy thread takes a good part of a second.
+"""
 POLL_MS = 10
 """How often the window's thread looks at its jobs: no other thread touches a Qt object."""
 
@@ -195,6 +202,8 @@ class Jobs(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._garbage = GarbageCollector()
+        self._usual_switch = sys.getswitchinterval()
+        sys.setswitchinterval(SWITCH_S)
         start_tracker()
         self._board = Board()
         self._free = list(range(SLOTS))
@@ -248,6 +257,7 @@ class Jobs(QObject):
         self._timer.stop()
         self._garbage.timer.stop()
         gc.enable()
+        sys.setswitchinterval(self._usual_switch)
 
     def _pool(self) -> ProcessPoolExecutor:
         if self._processes is None:

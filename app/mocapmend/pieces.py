@@ -35,9 +35,12 @@ class Pieces:
 
 def in_pieces(result: object) -> object:
     """Return what is to be sent in place of a result; what is small is sent as it is."""
-    if isinstance(result, FillResult) and len(result.patches) + len(result.unfilled) > PIECE:
-        return Pieces(result)
-    return result
+    if not isinstance(result, FillResult):
+        return result
+    for patch in result.patches:
+        # Worked out here, they travel along: the window asks for them of all patches at once.
+        _ = patch.expected_error, patch.typical_r90
+    return Pieces(result) if len(result.patches) + len(result.unfilled) > PIECE else result
 
 
 def _parts(entries: tuple[Any, ...]) -> list[tuple[Any, ...]]:

@@ -71,13 +71,22 @@ class Prospects:
     """Every preview that was computed for a document."""
 
     def __init__(self) -> None:
-        self._known: dict[tuple[Gap, Way], Preview] = {}
+        self._known: dict[Way, dict[Gap, Preview]] = {}
         self._best: dict[Gap, Preview] = {}
-        self._tried: set[Gap] = set()
+        self._errors: dict[Gap, float] = {}
+
+    @property
+    def errors(self) -> Mapping[Gap, float]:
+        """Of the gaps that were tried the least expected error; NaN where none is known."""
+        return self._errors
+
+    def known(self, way: Way) -> Mapping[Gap, Preview]:
+        """Return what a way makes of the gaps that it was tried on."""
+        return self._known.get(way, {})
 
     def get(self, gap: Gap, way: Way) -> Preview | None:
         """Return what a way makes of a gap, if that is known."""
-        return self._known.get((gap, way))
+        return self.known(way).get(gap)
 
     def best(self, gap: Gap) -> Preview | None:
         """Return the known repair of a gap with the least expected error; None without any."""
@@ -85,19 +94,20 @@ class Prospects:
 
     def tried(self, gap: Gap) -> bool:
         """Say whether any way was tried on a gap."""
-        return gap in self._tried
+        return gap in self._errors
 
     def add(self, way: Way, gaps: Iterable[Gap], result: FillResult) -> None:
         """Keep what a way has made of gaps; what is known already stays the same object."""
+        known = self._known.setdefault(way, {})
         for preview in previews(way, gaps, result):
             gap, error = preview.gap, preview.expected_error
-            if (gap, way) in self._known:
+            if gap in known:
                 continue
-            self._known[gap, way] = preview
-            self._tried.add(gap)
-            best = self._best.get(gap)
-            if not math.isnan(error) and (best is None or error < best.expected_error):
+            known[gap] = preview
+            least = self._errors.setdefault(gap, math.nan)
+            if not math.isnan(error) and not least <= error:
                 self._best[gap] = preview
+                self._errors[gap] = error
 
     def result(self, way: Way, gaps: Iterable[Gap]) -> tuple[FillResult, list[Gap]]:
         """Return what a way makes of gaps, as far as that is known, and the gaps where it is not.
@@ -110,8 +120,9 @@ class Prospects:
         """
         known: list[Preview] = []
         unknown: list[Gap] = []
+        of_way = self.known(way)
         for gap in gaps:
-            preview = self.get(gap, way)
+            preview = of_way.get(gap)
             if preview is None:
                 unknown.append(gap)
             else:

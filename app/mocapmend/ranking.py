@@ -1,7 +1,7 @@
 """The gaps of a recording as a list of problems, the most harmful first. No Qt."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 
@@ -62,25 +62,19 @@ class Problem:
         return self.error * self.gap.length
 
 
-ORDERS: dict[str, Callable[[Problem], float]] = {
-    "status": lambda problem: problem.status,
-    "marker": lambda problem: problem.gap.marker,
-    "length": lambda problem: problem.gap.length,
-    "error": lambda problem: problem.error,
-    "harm": lambda problem: problem.harm,
-    "time": lambda problem: problem.gap.start,
-}
-"""What problems can be ordered by."""
+def by_harm(problems: Iterable[Problem]) -> list[Problem]:
+    """Return problems with the most harmful first, unknown ones last, and by time where equal."""
 
+    def key(problem: Problem) -> tuple[bool, float, int, int]:
+        unknown = math.isnan(problem.harm)
+        return (
+            unknown,
+            0.0 if unknown else -problem.harm,
+            problem.gap.start,
+            problem.gap.marker,
+        )
 
-def ordered(
-    problems: Iterable[Problem], value: Callable[[Problem], float], *, falling: bool = False
-) -> list[Problem]:
-    """Return problems in the order of a value, unknown ones last, and of time where it is equal."""
-    by_time = sorted(problems, key=lambda problem: (problem.gap.start, problem.gap.marker))
-    known = [problem for problem in by_time if not math.isnan(value(problem))]
-    unknown = [problem for problem in by_time if math.isnan(value(problem))]
-    return sorted(known, key=value, reverse=falling) + unknown
+    return sorted(problems, key=key)
 
 
 def rank(recording: Recording, gaps: Sequence[Gap], progress: Progress) -> list[Problem]:
@@ -101,4 +95,4 @@ def rank(recording: Recording, gaps: Sequence[Gap], progress: Progress) -> list[
         step = part(progress, number / len(METHODS), (number + 1) / len(METHODS))
         prospects.add(way, gaps, fill_anyway(recording, gaps, *way, step))
     found = [Problem(gap, Status.OPEN, prospects.best(gap), tried=True) for gap in gaps]
-    return ordered(found, ORDERS["harm"], falling=True)
+    return by_harm(found)

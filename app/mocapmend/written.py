@@ -40,34 +40,46 @@ def differing(points: NDArray[np.float64], stored: NDArray[np.float64], places: 
     places : Places
         Where to look.
     """
-    differs = (points[places].view(np.int64) != stored[places].view(np.int64)).any(axis=1)
+    differs = _differ(points[places], stored[places])
     frames, markers = places
     return frames[differs], markers[differs]
 
 
 def differing_runs(
-    points: NDArray[np.float64], stored: NDArray[np.float64], places: Places
+    values: NDArray[np.float64], stored: NDArray[np.float64], places: Places
 ) -> Iterator[SampleRun]:
-    """Yield the runs in which two recordings differ.
+    """Yield the runs in which samples differ from those of a recording.
 
     Parameters
     ----------
-    points, stored : ndarray, shape (frames, markers, 3)
-        The recordings; the runs hold the samples of the first.
+    values : ndarray, shape (n, 3)
+        The samples; the runs hold them.
+    stored : ndarray, shape (frames, markers, 3)
+        The recording.
     places : Places
-        Where to look.
+        Where the samples are; a place that is there twice has the same twice.
 
     Yields
     ------
     SampleRun
         As long as can be; by marker and start.
     """
-    frames, markers = differing(points, stored, places)
+    differs = _differ(values, stored[places])
+    frames, markers = (part[differs] for part in places)
     # The end of one marker and the start of the next are no neighbours.
-    row = len(points) + 1
-    order = np.unique(markers * row + frames)
+    row = len(stored) + 1
+    order, first = np.unique(markers * row + frames, return_index=True)
     if not order.size:
         return
-    for run in np.split(order, np.flatnonzero(np.diff(order) != 1) + 1):
-        marker, start = divmod(int(run[0]), row)
-        yield SampleRun(marker, start, points[start : start + len(run), marker].copy())
+    samples = values[differs][first]
+    begins = np.concatenate(([0], np.flatnonzero(np.diff(order) != 1) + 1))
+    ends = np.append(begins[1:], len(order))
+    for begin, end in zip(begins.tolist(), ends.tolist(), strict=True):
+        marker, start = divmod(int(order[begin]), row)
+        yield SampleRun(marker, start, samples[begin:end])
+
+
+def _differ(some: NDArray[np.float64], others: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Say which of some samples, shape (n, 3), differ in any bit from others."""
+    x, y, z = (some.view(np.int64) != others.view(np.int64)).T
+    return np.asarray(x | y | z)

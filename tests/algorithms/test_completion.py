@@ -20,7 +20,7 @@ def completed(points, markers=None):
     completion = Completion(points, observed, DonorDistances(points, observed), RATE)
     for marker in range(points.shape[1]) if markers is None else markers:
         completion.complete(marker)
-    return completion, points
+    return completion, completion.points
 
 
 def test_rigid_motion_is_found_again():

@@ -112,7 +112,7 @@ def test_changed_runs_are_what_an_export_has_to_write(document: Document) -> Non
     document.undo_stack.push(fill(document, first, 1.0))
     document.undo_stack.push(fill(document, second, 2.0))
     document.undo_stack.undo()
-    runs = document.changes().runs
+    runs = document.unsaved().changes().runs
     assert [(run.marker, run.start, len(run.values)) for run in runs] == [
         (first.marker, first.start, first.length)
     ]

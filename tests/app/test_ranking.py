@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mocapmend.prospects import Preview, Prospects, Way
-from mocapmend.ranking import ORDERS, Problem, Status, ordered, rank
+from mocapmend.ranking import Problem, Status, by_harm, rank
 from mocapmend_algorithms import Gap, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 
@@ -30,19 +30,14 @@ def test_harm_is_error_times_length_and_the_unknown_comes_last() -> None:
     assert math.isclose(other.harm, 100.0 * math.sqrt(3.0))
     third = Problem(unknown, Status.OPEN)
     assert math.isnan(third.harm)
-    listed = ordered([third, one, other], ORDERS["harm"], falling=True)
-    assert [p.gap for p in listed] == [long, short, unknown]
-    rising = ordered([third, one, other], ORDERS["harm"])
-    assert [p.gap for p in rising] == [short, long, unknown]
+    assert [p.gap for p in by_harm([third, one, other])] == [long, short, unknown]
 
 
-@given(st.lists(st.tuples(st.integers(0, 4), st.integers(0, 9)), unique=True), st.booleans())
-def test_what_is_alike_is_in_the_order_of_time(
-    places: list[tuple[int, int]], falling: bool
-) -> None:
+@given(st.lists(st.tuples(st.integers(0, 4), st.integers(0, 9)), unique=True))
+def test_what_is_alike_is_in_the_order_of_time(places: list[tuple[int, int]]) -> None:
     problems = [problem(Gap(marker, start, start + 2), 1.0) for marker, start in places]
-    listed = ordered(problems, ORDERS["length"], falling=falling)
-    assert listed == sorted(problems, key=lambda p: (p.gap.start, p.gap.marker))
+    in_time = sorted(problems, key=lambda p: (p.gap.start, p.gap.marker))
+    assert by_harm(problems) == in_time
 
 
 def test_the_best_is_the_least_known_error() -> None:

@@ -187,7 +187,7 @@ def test_an_applied_repair_knows_its_donors(workspace: Workspace, qtbot: QtBot) 
     donors = preview_of(workspace, gap, qtbot).donors
     workspace.gap_actions.apply()
     assert workspace.document.repairs[gap].donors == donors
-    assert [record.donors for record in workspace.document.records()] == [donors]
+    assert [record.donors for record in workspace.document.unsaved().records()] == [donors]
     assert f"Donors: {names(donors)}" in promise(workspace)
     model = workspace.repairs.table.model()
     last = model.columnCount() - 1

@@ -13,6 +13,7 @@ from mocapmend import engine
 from mocapmend.document import Edit
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.report_pane import ReportPane
+from mocapmend.views.tables import in_sight
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.fill.registry import METHODS
@@ -30,7 +31,7 @@ def workspace(open_in: Open, gait: Path, qtbot: QtBot) -> Workspace:
     qtbot.keyClick(window, Qt.Key.Key_3, CTRL)
     pane = window.workspace.report
     qtbot.waitUntil(pane.tabs.hasFocus)
-    qtbot.waitUntil(lambda: pane.report is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: pane.report is not None and pane.up_to_date, timeout=20_000)
     return window.workspace
 
 
@@ -42,7 +43,7 @@ def fill(workspace: Workspace, qtbot: QtBot, count: int) -> None:
     params = METHODS["linear"].params()
     result = engine.fill_anyway(document.original, gaps, "linear", params, no_progress)
     workspace.push(Edit.fills(result, "linear", params), f"fill {count}")
-    qtbot.waitUntil(lambda: pane.report is not before, timeout=20_000)
+    qtbot.waitUntil(lambda: pane.report is not before and pane.up_to_date, timeout=20_000)
 
 
 def cells(table: QTableWidget) -> list[list[str]]:
@@ -196,3 +197,20 @@ def test_the_report_is_saved_as_pdf(
     assert path.read_bytes().startswith(b"%PDF-")
     assert "*.pdf" in kinds[0]
     assert "*.html" in kinds[0]
+
+
+def test_out_of_sight_nothing_is_drawn_until_it_is_looked_at(
+    open_in: Open, gait: Path, qtbot: QtBot
+) -> None:
+    window = open_in(gait)
+    assert window.workspace is not None
+    pane = window.workspace.report
+    window.workspace.show_pane(window.workspace.timeline)
+    qtbot.waitUntil(lambda: not in_sight(pane))
+    before = pane.report
+    pane.refresh()
+    qtbot.waitUntil(lambda: pane.report is not None and pane.report is not before, timeout=20_000)
+    assert not pane.up_to_date
+    window.workspace.show_pane(pane)
+    qtbot.waitUntil(lambda: pane.up_to_date)
+    assert pane.bones.table.rowCount() == len(pane.report.bone_names)

@@ -80,11 +80,13 @@ def test_a_name_reaches_previews_repairs_and_records(opened: MainWindow, qtbot: 
     assert not box.combo.hasFocus()
     assert preview(opened, qtbot, "gait").patch is not None
     workspace.gap_actions.apply()
-    assert workspace.document.records()[0].parameters["training"] == "gait"
+    assert workspace.document.unsaved().records()[0].parameters["training"] == "gait"
     gap = next(gap for gap in workspace.document.gaps if gap.length < 20)
     workspace.fill_all()
     qtbot.waitUntil(lambda: gap in workspace.document.repairs, timeout=20_000)
-    assert {record.parameters["training"] for record in workspace.document.records()} == {"gait"}
+    assert {record.parameters["training"] for record in workspace.document.unsaved().records()} == {
+        "gait"
+    }
 
 
 def test_a_preview_says_what_is_wrong_without_a_dialog(opened: MainWindow, qtbot: QtBot) -> None:

@@ -74,14 +74,14 @@ def test_a_repair_with_cut_ends_is_exported_checked_and_replayed(
     result = fill_gap(document.original, WIDE, "cubic", params, no_progress)
     push(document, Edit.fill(result.patches[0], "cubic", params))
     out = tmp_path / "out.c3d"
-    export(document.source, document.changes(), out, False, False, no_progress)
+    export(document.source, document.unsaved().changes(), out, False, False, no_progress)
     found = check_files(holed_walk, out)
     assert found.passed
     assert found.changed_samples == WIDE.length
     assert "4 measured samples at the ends of repaired gaps were replaced" in found.allowed[0]
     assert read_c3d(out).repaired == (WIDE,)
     written = tmp_path / "recipe.json"
-    recipe.write_recipe(document.source, document.records(), written)
+    recipe.write_recipe(document.source, document.unsaved().records(), written)
     again = tmp_path / "again.c3d"
     made = recipe.replay(document.source, recipe.read_recipe(written), no_progress)
     export(document.source, made, again, False, False, no_progress)
@@ -95,9 +95,9 @@ def test_measured_ends_of_a_gap_that_stays_open_stay_in_the_file(
     push(document, resized(document, GAP, WIDE))
     other = HOLES["leading"]
     push(document, resized(document, other, widened(document, other, 1)))
-    assert not document.changes().runs
+    assert not document.unsaved().changes().runs
     out = tmp_path / "out.c3d"
-    export(document.source, document.changes(), out, False, False, no_progress)
+    export(document.source, document.unsaved().changes(), out, False, False, no_progress)
     assert out.read_bytes() == holed_walk.read_bytes()
 
 

@@ -37,7 +37,8 @@ def test_differing_runs_are_whole_and_hold_what_is_there(
     written = {(f, gap.marker) for gap in runs for f in range(gap.start, gap.stop)}
     for frame, marker in changed & written:
         points[frame, marker] = frame
-    found = list(differing_runs(points, stored, places_of(runs)))
+    places = places_of(runs)
+    found = list(differing_runs(points[places], stored, places))
     samples = {
         (run.start + row, run.marker): tuple(value)
         for run in found

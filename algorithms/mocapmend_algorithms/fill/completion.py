@@ -23,7 +23,7 @@ class Completion:
     Parameters
     ----------
     points : ndarray, shape (frames, markers, 3)
-        In mm; the bridges are written into it.
+        In mm; not changed.
     observed : ndarray of bool, shape (frames, markers)
         The samples that may be looked at.
     distances : DonorDistances
@@ -35,7 +35,9 @@ class Completion:
     def __init__(
         self, points: FloatArray, observed: BoolArray, distances: DonorDistances, rate: float
     ) -> None:
-        self._points = points
+        self.points = points
+        """The samples with the bridges that were written, once any were."""
+        self._original = points
         self._observed = observed
         self._distances = distances
         self._longest = max(1, round(LONGEST_S * rate))
@@ -86,10 +88,12 @@ class Completion:
             alike = count == neighbours
             frames = around[alike]
             best = np.nonzero(chosen[alike])[1].reshape(frames.shape[0], neighbours)
-            donors = self._points[frames[:, :, None], known.markers[best][:, None]]
-            ends = self._points[frames[:, [0, -1]], marker]
+            donors = self.points[frames[:, :, None], known.markers[best][:, None]]
+            ends = self.points[frames[:, [0, -1]], marker]
             weights = 1 / (known.spread[best] ** 2 + 1)
-            self._points[frames[:, 1:-1], marker] = _moved(ends, donors, weights)
+            if self.points is self._original:
+                self.points = self._original.copy()
+            self.points[frames[:, 1:-1], marker] = _moved(ends, donors, weights)
 
 
 def _moved(ends: FloatArray, donors: FloatArray, weights: FloatArray) -> FloatArray:

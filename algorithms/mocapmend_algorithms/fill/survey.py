@@ -45,7 +45,10 @@ class Survey:
 
     @cached_property
     def points(self) -> FloatArray:
-        """The samples in mm, NaN where they may not be looked at."""
+        """The samples in mm, NaN where they may not be looked at; not to be changed."""
+        recording = self.recording
+        if recording.mm == 1.0 and np.array_equal(self.observed, recording.present):
+            return recording.points
         points = np.where(self.observed[:, :, None], self.recording.points, np.nan)
         points *= self.recording.mm
         return points
@@ -137,7 +140,7 @@ class Survey:
             donors=donors,
             target=self.points[lesson.frames, gap.marker],
             seen=self.observed[:, gap.marker],
-            points=self.points,
+            points=self.completion.points,
         )
 
     def _bridged(self, gap: Gap, markers: IntArray) -> BoolArray:

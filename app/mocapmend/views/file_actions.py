@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from mocapmend import engine
+from mocapmend import engine, unsaved
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, LONG_CSV, Source, same_file
@@ -170,12 +170,10 @@ class FileActions(QObject):
             return
         job = self.write(
             self.tr("Exporting {0}").format(path.name),
-            engine.export,
-            document.source,
-            document.changes(),
+            unsaved.export,
+            document.unsaved(),
             path,
             replaces,
-            document.source.truncated,
         )
         index = document.undo_stack.index()
         job.finished.connect(lambda done: self._exported(document, index, done, then))
@@ -190,7 +188,7 @@ class FileActions(QObject):
         path = self.ask_where(self.tr("Save report"), f"{stem}_report.html", kinds)
         if path is None:
             return
-        job = self.write(
+        job = self.write_apart(
             self.tr("Writing the report"),
             engine.write_report,
             *workspace.report_inputs(),
@@ -247,7 +245,13 @@ class FileActions(QObject):
 
     def write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Write a file in the background; the window stays open until it is there."""
-        job = self._window.jobs.read_or_write(title, function, *args)
+        return self._follow(self._window.jobs.read_or_write(title, function, *args))
+
+    def write_apart(self, title: str, function: Callable[..., Any], *args: object) -> Job:
+        """Write a file that takes more computing than writing, in a process of its own."""
+        return self._follow(self._window.jobs.compute(title, function, *args))
+
+    def _follow(self, job: Job) -> Job:
         self._writing.append(job)
         job.ended.connect(self._end_writing)
         job.failed.connect(self._window.show_error)

@@ -5,7 +5,7 @@ from enum import Enum
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt, QTimer
-from PySide6.QtGui import QAction, QShowEvent
+from PySide6.QtGui import QAction, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -22,7 +22,7 @@ from mocapmend.views.filling import Filling
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, Index
 from mocapmend.views.repair_panel import RepairPanel
-from mocapmend.views.tables import INDENT, Indented, dress, narrow
+from mocapmend.views.tables import INDENT, Indented, dress, in_sight, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult
@@ -155,6 +155,8 @@ class PlanPane(QWidget):
             self._shown.addItem(text, outcomes)
         self._shown.currentIndexChanged.connect(self.refresh)
         self._arrange(actions)
+        self._stale = True
+        """Whether something has changed since the plan was listed."""
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY_MS)
@@ -176,7 +178,8 @@ class PlanPane(QWidget):
 
     def refresh(self) -> None:
         """List the plan anew."""
-        if not self.isVisible():
+        self._stale = not in_sight(self)
+        if self._stale:
             return
         way, limits = self._repair.method(), self._repair.limits.limits()
         planned, unknown = self._filling.planned(way, limits)
@@ -232,6 +235,8 @@ class PlanPane(QWidget):
     def _go_to(self, index: QModelIndex) -> None:
         self._view.go_to(self.model.gap(index.row()))
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._refresh_soon()
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        # What is painted has come in sight.
+        if self._stale:
+            self._refresh_soon()

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
-from mocapmend import engine, recipe
+from mocapmend import engine, recipe, unsaved
 from mocapmend.document import Document, Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
@@ -45,9 +45,8 @@ class ProofActions(QObject):
             return
         job = self._window.files.write(
             self.tr("Writing the recipe"),
-            recipe.write_recipe,
-            document.source,
-            document.records(),
+            unsaved.write_recipe,
+            document.unsaved(),
             path,
         )
         written = self.tr("Recipe written to {0}").format(path)

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt, Signal
 
-from mocapmend.document import Document, Repair
-from mocapmend.prospects import Preview, Prospects
-from mocapmend.ranking import ORDERS, Problem, Status, ordered
+from mocapmend.document import Document
+from mocapmend.problem_list import Places, ProblemList
+from mocapmend.prospects import Prospects
+from mocapmend.ranking import Problem, Status
 from mocapmend.views.marker_table import NO_PARENT, Index
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.registry import method_label
@@ -78,11 +79,14 @@ class QueueModel(QAbstractTableModel):
     ) -> None:
         super().__init__(parent)
         self._document = document
-        self._prospects = prospects
         self._filter = Filter()
         self._order = (Column.HARM, True)
-        self._rows: list[Problem] = []
-        self._row_of: dict[Gap, int] = {}
+        self._list = ProblemList(document, prospects)
+        self._stale = False
+        self._rows = np.empty(0, np.intp)
+        """The place in the list of what each row shows."""
+        self._row_at = np.empty(0, np.intp)
+        """The row that shows what is at a place; -1 where none does."""
         self._titles = {
             Column.STATUS: "",
             Column.MARKER: self.tr("Marker"),
@@ -105,7 +109,8 @@ class QueueModel(QAbstractTableModel):
             ),
             Column.PLACE: self.tr("First and last missing frame"),
         }
-        self._missing = np.count_nonzero(~document.original.present, axis=1)
+        document.samples_changed.connect(self._take_anew)
+        document.left_open_changed.connect(self._take_anew)
         self.refresh()
 
     # --- what is listed ----------------------------------------------------------------------
@@ -113,24 +118,24 @@ class QueueModel(QAbstractTableModel):
     @property
     def gaps(self) -> list[Gap]:
         """The gaps that are listed, in their order."""
-        return [problem.gap for problem in self._rows]
+        return [self._list.gaps[place] for place in self._rows.tolist()]
 
     @property
     def by_time(self) -> bool:
         """Whether the list is in the order of time: chosen so, or because nothing else is known."""
         column, falling = self._order
-        unknown = column in (Column.HARM, Column.ERROR) and not any(
-            problem.tried for problem in self._rows
-        )
-        return unknown or (column == Column.PLACE and not falling)
+        unknown = column in (Column.HARM, Column.ERROR) and not self._list.tried[self._rows].any()
+        return bool(unknown) or (column == Column.PLACE and not falling)
 
     def row_of(self, gap: Gap) -> int | None:
         """Return the row of a gap."""
-        return self._row_of.get(gap)
+        place = self._list.place_of(gap)
+        row = -1 if place is None or place >= len(self._row_at) else int(self._row_at[place])
+        return row if row >= 0 else None
 
     def problem(self, row: int) -> Problem:
         """Return what is listed in a row."""
-        return self._rows[row]
+        return self._list.problem(int(self._rows[row]))
 
     def set_filter(self, chosen: Filter) -> None:
         """List other problems."""
@@ -138,55 +143,62 @@ class QueueModel(QAbstractTableModel):
         self.refresh()
 
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
-        if 0 <= column < len(Column):
+        wanted = (column, order == Qt.SortOrder.DescendingOrder)
+        if 0 <= column < len(Column) and wanted != self._order:
             self._order = (Column(column), order == Qt.SortOrder.DescendingOrder)
             self.refresh()
 
     def refresh(self) -> None:
-        """List the problems anew."""
-        column, falling = self._order
-        shown = [problem for problem in self._problems() if self._passes(problem)]
-        self.beginResetModel()
-        if column in _ORDER_OF:
-            self._rows = ordered(shown, ORDERS[_ORDER_OF[column]], falling=falling)
+        """List the problems anew, or what has become known of them."""
+        before = None if self._stale else self._rows
+        if self._stale:
+            self._list.take()
+            self._stale = False
         else:
-            by_time = ordered(shown, ORDERS["time"])
-            self._rows = sorted(by_time, key=lambda p: self._text(p, column), reverse=falling)
-        self._row_of = {problem.gap: row for row, problem in enumerate(self._rows)}
-        self.endResetModel()
+            self._list.learn()
+        rows = self._in_order(self._passing())
+        if before is not None and np.array_equal(rows, before):
+            self._tell_values()
+        else:
+            self.beginResetModel()
+            self._rows = rows
+            self._row_at = np.full(len(self._list.gaps), -1)
+            self._row_at[rows] = np.arange(len(rows))
+            self.endResetModel()
         self.changed.emit()
 
-    def _problems(self) -> list[Problem]:
-        document, frames = self._document, self._document.original.frames
-        found = [
-            Problem(
-                gap,
-                self._status(gap),
-                self._prospects.best(gap),
-                document.left_open.get(gap, ""),
-                self._prospects.tried(gap),
-            )
-            for gap in document.gaps
-            if gap.length < frames
-        ]
-        for gap, repair in document.repairs.items():
-            found.append(Problem(gap, Status.REPAIRED, _made(gap, repair), tried=True))
-        found += [Problem(gap, Status.NEVER, tried=True) for gap in document.never]
-        return found
+    def _take_anew(self) -> None:
+        self._stale = True
 
-    def _status(self, gap: Gap) -> Status:
-        """Return what has become of a gap that is open."""
-        if gap in self._document.set_aside:
-            return Status.LEFT
-        return Status.BEYOND if gap in self._document.left_open else Status.OPEN
+    def _tell_values(self) -> None:
+        """Say that rows are where they were, but may show something else."""
+        if len(self._rows):
+            last = self.index(len(self._rows) - 1, len(Column) - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
 
-    def _passes(self, problem: Problem) -> bool:
-        chosen = self._filter
-        if problem.status not in chosen.status:
-            return False
-        if not chosen.shortest_ms < self._ms(problem.gap) <= chosen.longest_ms:
-            return False
-        return chosen.text.casefold() in self._document.names[problem.gap.marker].casefold()
+    def _passing(self) -> Places:
+        chosen, names = self._filter, self._document.names
+        part = chosen.text.casefold()
+        markers = [marker for marker, name in enumerate(names) if part in name.casefold()]
+        per_ms = self._document.original.rate / 1000.0
+        return self._list.passing(
+            markers, chosen.status, chosen.shortest_ms * per_ms, chosen.longest_ms * per_ms
+        )
+
+    def _in_order(self, places: Places) -> Places:
+        listed, (column, falling) = self._list, self._order
+        values = {
+            Column.STATUS: listed.status, Column.MARKER: listed.marker,
+            Column.FRAMES: listed.length, Column.ERROR: listed.error,
+            Column.HARM: listed.error * listed.length, Column.MS: listed.length,
+            Column.PLACE: listed.start,
+        }  # fmt: skip
+        if column in values:
+            return listed.ordered(places, values[column], falling=falling)
+        texts = [self._text(listed.problem(place), column) for place in places.tolist()]
+        number = np.zeros(len(listed.gaps))
+        number[places] = np.unique(texts, return_inverse=True)[1]
+        return listed.ordered(places, number, falling=falling)
 
     # --- Qt's questions ----------------------------------------------------------------------
 
@@ -208,7 +220,7 @@ class QueueModel(QAbstractTableModel):
         return _alignment(Column(section)) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        problem, column = self._rows[index.row()], Column(index.column())
+        problem, column = self.problem(index.row()), Column(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
             return self._text(problem, column)
         if role == Qt.ItemDataRole.TextAlignmentRole:
@@ -259,7 +271,8 @@ class QueueModel(QAbstractTableModel):
         return "?" if math.isnan(error) else f"{error:.1f}"
 
     def _context(self, gap: Gap) -> str:
-        others = int(self._missing[(gap.start + gap.stop - 1) // 2]) - 1
+        middle = (gap.start + gap.stop - 1) // 2
+        others = int(np.count_nonzero(~self._document.original.present[middle])) - 1
         match gap.kind(self._document.original.frames):
             case "leading":
                 text = self.tr("start, {0} more missing")
@@ -294,10 +307,6 @@ class QueueModel(QAbstractTableModel):
 
     def _ms(self, gap: Gap) -> float:
         return 1000.0 * gap.length / self._document.original.rate
-
-
-def _made(gap: Gap, repair: Repair) -> Preview:
-    return Preview(gap, repair.method, repair.params, repair.patch, donors=repair.donors)
 
 
 def _alignment(column: Column) -> Qt.AlignmentFlag:

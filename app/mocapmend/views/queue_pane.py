@@ -88,6 +88,7 @@ class QueuePane(QWidget):
         self._timer.setInterval(DELAY_MS)
         self._timer.timeout.connect(self.model.refresh)
         self.model.modelReset.connect(self._show)
+        self.model.dataChanged.connect(self._show_said)
         document.samples_changed.connect(self._timer.start)
         document.left_open_changed.connect(self._timer.start)
         survey.advanced.connect(self._timer.start)
@@ -165,8 +166,9 @@ class QueuePane(QWidget):
     def _make_table(self) -> QTableView:
         table = QTableView()
         table.setModel(self.model)
+        # Before the table sorts: else it does so twice.
+        table.horizontalHeader().setSortIndicator(Column.HARM, Qt.SortOrder.DescendingOrder)
         table.setSortingEnabled(True)
-        table.sortByColumn(Column.HARM, Qt.SortOrder.DescendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Queue of gaps"))
         dress(table)

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QShowEvent
+from PySide6.QtGui import QAction, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QTabBar, QVBoxLayout, QWidget
 from PySide6.QtWidgets import QStackedWidget as Pages
 
@@ -19,6 +19,7 @@ from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_markers import MarkersPage
 from mocapmend.views.report_texts import HistoryPage, MethodsPage
 from mocapmend.views.report_tracking import TrackingPage
+from mocapmend.views.tables import in_sight
 from mocapmend.viewstate import ViewState
 
 DELAY_MS = 150
@@ -47,6 +48,9 @@ class ReportPane(QWidget):
         self._jobs = jobs
         self._job: Job | None = None
         self.report: Report | None = None
+        self._behind: tuple[Report, Methods] | None = None
+        """What is to be shown when the pane is in sight."""
+        self._frame_shown = -1
         self.tracking = TrackingPage(document, theme)
         self.bones = BonesPage(document, theme)
         self.markers = MarkersPage(document, view)
@@ -72,6 +76,11 @@ class ReportPane(QWidget):
         document.samples_changed.connect(self._timer.start)
         document.skeleton_changed.connect(self._timer.start)
         view.frame_changed.connect(self._move_playheads)
+
+    @property
+    def up_to_date(self) -> bool:
+        """Whether the pages show what was computed last; they do not while out of sight."""
+        return self._behind is None
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -133,7 +142,7 @@ class ReportPane(QWidget):
         self.stop()
         document = self._document
         if document.found_skeleton is None:
-            # The signal that it is there comes back here.
+            # It comes soon, and a report without bones would only hold it up.
             return
         job = self._jobs.compute(
             self.tr("Report"),
@@ -151,17 +160,32 @@ class ReportPane(QWidget):
         self._job = job
 
     def _show(self, result: tuple[Report, Methods]) -> None:
-        self.report, methods = result
+        self.report = result[0]
+        self._behind = result
+        self._catch_up()
+
+    def _catch_up(self) -> None:
+        """Show the figures that came while the pane was out of sight."""
+        if self._behind is None or not in_sight(self):
+            return
+        (self.report, methods), self._behind = self._behind, None
         self.tracking.show_report(self.report)
         self.bones.show_report(self.report)
         self.markers.show_report(self.report)
         self.methods.show_methods(methods)
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        # What is painted has come in sight. Later: nothing may change while it is painted.
+        if not self.up_to_date or self._frame_shown != self._view.frame:
+            QTimer.singleShot(0, self, self._show_anew)
+
+    def _show_anew(self) -> None:
+        self._catch_up()
         self._move_playheads()
 
     def _move_playheads(self) -> None:
-        if self.isVisible():
+        if in_sight(self):
+            self._frame_shown = self._view.frame
             for plot in (*self.tracking.plots, self.bones.plot):
                 plot.show_frame(self._view.frame)

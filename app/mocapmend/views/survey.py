@@ -41,6 +41,10 @@ class Survey(QObject):
         self._jobs = jobs
         self._ways = [Way.default(method) for method in METHODS]
         self._portion = FIRST_PORTION
+        self._gaps: list[Gap] = []
+        """The gaps that can be repaired at all, the longest first."""
+        self._listed = -1
+        """The document's revision that they are of."""
         self._clock = QElapsedTimer()
         self._job: Job | None = None
         self.on = False
@@ -67,20 +71,25 @@ class Survey(QObject):
 
     def progress(self) -> tuple[int, int]:
         """Return how many of the open gaps have been tried, and how many there are."""
-        gaps = self._gaps()
-        return sum(map(self._prospects.tried, gaps)), len(gaps)
+        self._list()
+        tried = self._prospects.errors
+        return sum(gap in tried for gap in self._gaps) if tried else 0, len(self._gaps)
 
-    def _gaps(self) -> list[Gap]:
-        """Return the gaps that can be repaired at all."""
-        frames = self._document.original.frames
-        return [gap for gap in self._document.gaps if gap.length < frames]
+    def _list(self) -> None:
+        """List the gaps anew where they have changed."""
+        if self._listed != self._document.revision:
+            frames = self._document.original.frames
+            gaps = [gap for gap in self._document.gaps if gap.length < frames]
+            self._gaps = sorted(gaps, key=lambda gap: -gap.length)
+            self._listed = self._document.revision
 
     def _go_on(self) -> None:
         if not self.on or self._job is not None:
             return
-        gaps = sorted(self._gaps(), key=lambda gap: -gap.length)
+        self._list()
         for way in self._ways:
-            left = [gap for gap in gaps if self._prospects.get(gap, way) is None]
+            known = self._prospects.known(way)
+            left = [gap for gap in self._gaps if gap not in known]
             if left:
                 self._compute(way, left[: self._portion])
                 return

@@ -3,9 +3,20 @@
 from typing import Any
 
 from PySide6.QtCore import QEvent, QLocale, QObject, Qt
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyledItemDelegate, QTableView
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QStyledItemDelegate,
+    QTableView,
+    QWidget,
+)
 
 DIGITS = "0123456789"
+
+
+def in_sight(widget: QWidget) -> bool:
+    """Say whether any of a widget can be seen: what is behind another tab is visible for Qt."""
+    return widget.isVisible() and not widget.visibleRegion().isEmpty()
 
 
 def dress(table: QTableView) -> None:

@@ -15,7 +15,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractScrollArea, QToolTip, QWidget
 
 from mocapmend.document import Document
-from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.event_lane import EventLane, whole_frame
 from mocapmend.views.lane_layout import LaneLayout
@@ -87,8 +86,11 @@ class Timeline(QAbstractScrollArea):
 
         The order stays while gaps are filled: a lane that is worked on does not move.
         """
-        missing = (self._document.state == SampleState.MISSING).sum(axis=0)
-        order = np.argsort(-missing, kind="stable") if on else np.arange(len(missing))
+        markers = range(self._document.original.markers)
+        order = np.arange(len(markers))
+        if on:
+            missing = [sum(gap.length for gap in self._document.gaps_of(m)) for m in markers]
+            order = np.argsort(-np.array(missing, np.int64), kind="stable")
         self._layout.set_order(order)
         self._repaint()
         self._show_lane()

@@ -46,6 +46,8 @@ from mocapmend_algorithms.fill.limits import default_frames
 
 LAYOUT_VERSION = 5
 TAB_HEIGHT = 36
+JOURNAL_MS = 50
+"""How often it is looked whether a large step has reached the journal."""
 
 
 class Workspace(QMainWindow):
@@ -77,6 +79,9 @@ class Workspace(QMainWindow):
         self._jobs = jobs
         self._settings = settings
         self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
+        self._journal_timer = QTimer(self)
+        self._journal_timer.setInterval(JOURNAL_MS)
+        self._journal_timer.timeout.connect(self._look_at_journal)
         original = document.original
         self.view = ViewState(original.frames, self)
         self.player = Player(self.view, original.rate, self)
@@ -129,6 +134,7 @@ class Workspace(QMainWindow):
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
         document.undo_stack.cleanChanged.connect(self.recorder.export)
+        document.undo_stack.indexChanged.connect(self._journal_timer.start)
         document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
@@ -171,10 +177,12 @@ class Workspace(QMainWindow):
             quiet=True,
         )
         job.finished.connect(self.document.set_skeleton)
-        # What waits for the bones goes on without them.
-        job.failed.connect(lambda _: self.document.set_skeleton(NO_SKELETON))
-        job.failed.connect(self.failed)
+        job.failed.connect(self._do_without_skeleton)
         self._searching = job
+
+    def _do_without_skeleton(self, error: Exception) -> None:
+        self.document.set_skeleton(NO_SKELETON)
+        self.failed.emit(error)
 
     @property
     def saved(self) -> bool:
@@ -305,9 +313,11 @@ class Workspace(QMainWindow):
 
     def _lead(self) -> None:
         """Begin at the worst gap that is known, unless the user has begun already."""
-        worst = self.queue.worst()
         untouched = self.view.gap == self._first and not self.document.undo_stack.count()
-        if self.survey.portions == 1 and untouched and worst is not None:
+        if self.survey.portions != 1 or not untouched:
+            return
+        worst = self.queue.worst()
+        if worst is not None:
             self._show_gap(worst)
 
     def push(self, edits: list[Edit], text: str) -> None:
@@ -316,23 +326,29 @@ class Workspace(QMainWindow):
         self.recorder.push(text, edits)
         self.document.undo_stack.push(command)
 
+    def _look_at_journal(self) -> None:
+        if self.recorder.poll():
+            self._journal_timer.stop()
+
     def _show_first_gap(self) -> None:
         """Begin at the longest of the shorter gaps, with the whole recording in view."""
         original = self.document.original
         ordered = in_time_order(self.document.gaps, original.frames)
-        seen = original.present.mean(axis=0) if original.frames else np.empty(0)
         longest = default_frames(original.rate)
         within = [
             gap
             for gap in ordered
-            if gap.kind(original.frames) == "interior"
-            and gap.length <= longest
-            # Fragments of trajectories and frames without a body are no place to begin.
-            and not original.labels[gap.marker].startswith("*")
-            and seen[gap.marker] > 0.5
-            and original.present[gap.start].mean() > 0.5
+            if gap.length <= longest and gap.kind(original.frames) == "interior"
         ]
-        gap = max(within, key=lambda gap: gap.length, default=None)
+        # Fragments of trajectories and frames without a body are no place to begin.
+        fit = (
+            gap
+            for gap in sorted(within, key=lambda gap: -gap.length)
+            if not original.labels[gap.marker].startswith("*")
+            and original.present[:, gap.marker].mean() > 0.5
+            and original.present[gap.start].mean() > 0.5
+        )
+        gap = next(fit, None)
         self._first = gap
         if gap is not None:
             self._show_gap(gap)
@@ -373,8 +389,8 @@ class Workspace(QMainWindow):
         """Return what `engine.write_report` needs, as it is now."""
         document = self.document
         return (
-            document.original,
-            document.snapshot(),
+            document.share_original(),
+            document.share(),
             document.skeleton,
             document.repair_rows(),
             self.facts.unfilled(),

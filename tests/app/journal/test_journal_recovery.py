@@ -418,6 +418,26 @@ def test_a_disk_error_is_told_once_and_does_not_stop_the_edits(
     assert "not protected" in error.what
 
 
+def test_a_large_step_is_on_the_disk_before_the_next_is_noted(
+    tmp_path: Path, source: Source, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("mocapmend.journal.recorder.AT_ONCE", 0)
+    session = Session(tmp_path / "journal", source)
+    session.do(0)
+    session.do(1)
+    # The recording, the first step, and perhaps the second.
+    assert len(ends_in(session.journal)) >= 2
+    session.recorder.wait()
+    assert session.recorder.poll()
+    assert len(ends_in(session.journal)) == 3
+    with monkeypatch.context() as full:
+        full.setattr("mocapmend.journal.file.LARGEST", 0)
+        session.do(2)
+        session.recorder.wait()
+    assert len(session.errors) == 1
+    session.crash()
+
+
 def test_after_a_full_disk_the_edits_before_can_be_recovered(
     tmp_path: Path, source: Source, monkeypatch: pytest.MonkeyPatch
 ) -> None:

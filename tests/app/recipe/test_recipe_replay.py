@@ -107,8 +107,8 @@ def test_the_window_replays_donors_picked_by_hand(holed: Path, tmp_path: Path) -
     document.undo_stack.push(EditSamples(document, edits, "fill"))
     assert {row.donors for row in document.repair_rows()} == donors
     written = tmp_path / "recipe.json"
-    recipe.write_recipe(source, document.changes().repairs, written)
-    out = export(source, document.changes(), tmp_path / "out.c3d")
+    recipe.write_recipe(source, document.unsaved().changes().repairs, written)
+    out = export(source, document.unsaved().changes(), tmp_path / "out.c3d")
     assert digest(out) == digest(replayed(holed, written, tmp_path / "again.c3d"))
 
 
@@ -156,9 +156,9 @@ def test_what_the_window_and_the_engine_write_is_the_same(
         document.undo_stack.push(edit)
     result = engine.fill(source.measured, gaps, "pchip", params, NO_LIMITS, no_progress)
     written = tmp_path / "recipe.json"
-    recipe.write_recipe(source, document.changes().repairs, written)
+    recipe.write_recipe(source, document.unsaved().changes().repairs, written)
     outs = [
-        export(source, document.changes(), tmp_path / f"window.{end}"),
+        export(source, document.unsaved().changes(), tmp_path / f"window.{end}"),
         export(source, engine.changes_of(source, result, "pchip", params), tmp_path / f"cli.{end}"),
         replayed(holed, written, tmp_path / f"replayed.{end}"),
     ]
@@ -184,11 +184,11 @@ def test_reopened_and_refilled_repairs(holed: Path, end: str, tmp_path: Path) ->
         edits.append(Edit.fill(patch, "cubic", cubic))
     document.undo_stack.push(EditSamples(document, edits, "edit"))
     written = tmp_path / "recipe.json"
-    recipe.write_recipe(source, document.changes().repairs, written)
+    recipe.write_recipe(source, document.unsaved().changes().repairs, written)
     made = recipe.read_recipe(written)
     assert [(item.method, item.point) for item in made.reopened] == [("linear", 1)]
     assert [(item.method, item.point) for item in made.fills] == [("cubic", 1), ("cubic", 5)]
-    out = export(source, document.changes(), tmp_path / f"out.{end}")
+    out = export(source, document.unsaved().changes(), tmp_path / f"out.{end}")
     assert digest(out) == digest(replayed(repaired, written, tmp_path / f"again.{end}"))
     back = read_recording(out)
     assert list(back.repaired) == [gaps[1], gaps[2], gaps[3], gaps[5]]

@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QUndoStack
 
 from mocapmend import engine
-from mocapmend.bench.gui.stage import opened, settle, show_plots, wait_until, window
+from mocapmend.bench.gui.stage import at_rest, opened, settle, show_plots, wait_until, window
 from mocapmend.bench.gui.steps import scrub_places
 from mocapmend.document import Edit
 from mocapmend.views.main_window import MainWindow
@@ -73,17 +73,17 @@ def pauses(path: Path) -> dict[str, float]:
         heart = Heart()
         with scrubbing(workspace):
             shown.files.export(Path(folder) / "repaired.c3d")
-            wait_until(lambda: shown.jobs.running == 0)
+            wait_until(lambda: at_rest(shown, workspace))
         found["exporting"] = heart.stop()
         heart = Heart()
         with scrubbing(workspace):
-            shown.files.write(
+            shown.files.write_apart(
                 "Report",
                 engine.write_report,
                 *workspace.report_inputs(),
                 Path(folder) / "report.html",
             )
-            wait_until(lambda: shown.jobs.running == 0)
+            wait_until(lambda: at_rest(shown, workspace))
         found["reporting"] = heart.stop()
         workspace.document.undo_stack.setClean()
         sprint = opened(shown, sample_recordings()[0][0])

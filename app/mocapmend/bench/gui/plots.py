@@ -16,7 +16,7 @@ from mocapmend.bench.gui.steps import (
 
 def plots(path: Path) -> dict[str, float]:
     """Return steps per second of scrubbing, panning and zooming, and the size of the plots."""
-    with window() as shown:
+    with window(ranking=False) as shown:
         workspace = opened(shown, path)
         show_plots(workspace)
         view, area = workspace.view, workspace.trajectories
@@ -35,7 +35,7 @@ def plots(path: Path) -> dict[str, float]:
 
 def scroll(path: Path) -> dict[str, float]:
     """Return steps per second through the recording, 10 s at a time."""
-    with window() as shown:
+    with window(ranking=False) as shown:
         workspace = opened(shown, path)
         show_plots(workspace)
         view, page = workspace.view, PAGE_S * workspace.document.original.rate

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import WORKERS
-from mocapmend.settings import Settings
+from mocapmend.settings import RANKING, Settings
 from mocapmend.views.application import make_application
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
@@ -36,12 +36,16 @@ def rest(progress: Progress) -> None:
 
 
 @contextmanager
-def window() -> Iterator[MainWindow]:
-    """Show the program's window, with settings of its own, its workers ready."""
+def window(*, ranking: bool = True) -> Iterator[MainWindow]:
+    """Show the program's window, with settings of its own, its workers ready.
+
+    Without the ranking of the gaps nothing goes on but what is asked for.
+    """
     app = make_application()
     with tempfile.TemporaryDirectory(prefix="mocapmend-bench-") as folder:
         store = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings = Settings(store)
+        settings.set(RANKING, ranking)
         shown = MainWindow(settings)
         shown.resize(*SIZE)
         shown.show()
@@ -71,8 +75,13 @@ def opened(shown: MainWindow, path: Path) -> Workspace:
 
 
 def settle(workspace: Workspace, shown: MainWindow) -> None:
-    """Wait until the report is there and nothing goes on."""
-    wait_until(lambda: workspace.report.report is not None and shown.jobs.running == 0)
+    """Wait until the report is there and nothing goes on but the ranking of the gaps."""
+    wait_until(lambda: workspace.report.report is not None and at_rest(shown, workspace))
+
+
+def at_rest(shown: MainWindow, workspace: Workspace) -> bool:
+    """Say whether nothing goes on in the background but the ranking of the gaps."""
+    return shown.jobs.running == workspace.survey.running
 
 
 def show_plots(workspace: Workspace) -> None:

@@ -1,0 +1,142 @@
+"""The problems of a document in arrays: ten thousand are filtered and put in order at once."""
+
+from collections.abc import Collection
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend.document import Document, Repair
+from mocapmend.prospects import Preview, Prospects
+from mocapmend.ranking import Problem, Status
+from mocapmend_algorithms import Gap
+
+Places = NDArray[np.intp]
+
+
+class ProblemList:
+    """All gaps of a document that are or were problems; each has a place in the list.
+
+    Parameters
+    ----------
+    document : Document
+        Whose gaps.
+    prospects : Prospects
+        What is known of them.
+
+    Attributes
+    ----------
+    gaps : list of Gap
+        In no order that means anything.
+    marker, start, length, status : ndarray of int, shape (gaps,)
+        Of the gaps.
+    error : ndarray, shape (gaps,)
+        Expected error of the best repair, or of the one that was made; NaN where unknown.
+    tried : ndarray of bool, shape (gaps,)
+        Whether any repair was tried.
+    """
+
+    def __init__(self, document: Document, prospects: Prospects) -> None:
+        self._document = document
+        self._prospects = prospects
+        self.take()
+
+    def take(self) -> None:
+        """List the gaps anew: edits have changed them, or what has become of them."""
+        document, frames = self._document, self._document.original.frames
+        open_gaps = [gap for gap in document.gaps if gap.length < frames]
+        # A copy: it is asked for until the list is taken anew.
+        self._repairs = repairs = dict(document.repairs)
+        never = document.never
+        self._open = len(open_gaps)
+        self.gaps = [*open_gaps, *repairs, *never]
+        corners = np.array([(gap.marker, gap.start, gap.stop) for gap in self.gaps], np.int64)
+        self.marker, self.start, stop = corners.reshape(-1, 3).T
+        self.length = stop - self.start
+        kinds, counts = (
+            (Status.OPEN, Status.REPAIRED, Status.NEVER),
+            (self._open, len(repairs), len(never)),
+        )
+        self.status = np.repeat(np.array(kinds, np.intp), counts)
+        left = document.left_open
+        if left:
+            of_open = self.status[: self._open]
+            of_open[[gap in left for gap in open_gaps]] = Status.BEYOND
+            of_open[[gap in document.set_aside for gap in open_gaps]] = Status.LEFT
+        self.error = np.full(len(self.gaps), np.nan)
+        self.error[self._open : self._open + len(repairs)] = [
+            repair.patch.expected_error for repair in repairs.values()
+        ]
+        self.tried = self.status >= Status.REPAIRED
+        self._place_of: dict[Gap, int] | None = None
+        self.learn()
+
+    def learn(self) -> None:
+        """Take note of what is known of the open gaps by now."""
+        errors = self._prospects.errors
+        known = [errors.get(gap) for gap in self.gaps[: self._open]]
+        self.tried[: self._open] = [error is not None for error in known]
+        # None becomes NaN.
+        self.error[: self._open] = np.array(known, dtype=np.float64)
+
+    def place_of(self, gap: Gap) -> int | None:
+        """Return the place of a gap."""
+        if self._place_of is None:
+            self._place_of = {each: place for place, each in enumerate(self.gaps)}
+        return self._place_of.get(gap)
+
+    def problem(self, place: int) -> Problem:
+        """Return what is at a place."""
+        document, gap, status = self._document, self.gaps[place], Status(self.status[place])
+        if status is Status.NEVER:
+            return Problem(gap, status, tried=True)
+        if status is Status.REPAIRED:
+            return Problem(gap, status, _made(gap, self._repairs[gap]), tried=True)
+        best, reason = self._prospects.best(gap), document.left_open.get(gap, "")
+        return Problem(gap, status, best, reason, bool(self.tried[place]))
+
+    def passing(
+        self,
+        markers: Collection[int],
+        status: Collection[Status],
+        shortest: float,
+        longest: float,
+    ) -> Places:
+        """Return the places of some markers' gaps in some status: above one length, up to another.
+
+        Parameters
+        ----------
+        markers, status : collections
+            Which pass.
+        shortest, longest : float
+            In frames.
+        """
+        of_status = np.zeros(len(Status), bool)
+        of_status[list(status)] = True
+        of_marker = np.zeros(self._document.original.markers, bool)
+        of_marker[list(markers)] = True
+        passes = of_status[self.status] & of_marker[self.marker]
+        passes &= (shortest < self.length) & (self.length <= longest)
+        return np.flatnonzero(passes)
+
+    def ordered(self, places: Places, value: NDArray[Any], *, falling: bool) -> Places:
+        """Return places in the order of a value, unknown ones last, and of time where it is equal.
+
+        Parameters
+        ----------
+        places : ndarray of int
+            Some of the list.
+        value : ndarray, shape (gaps,)
+            What decides.
+        falling : bool
+            Whether the greatest comes first.
+        """
+        key = value[places].astype(np.float64)
+        # NaN comes last either way.
+        return places[
+            np.lexsort((self.marker[places], self.start[places], -key if falling else key))
+        ]
+
+
+def _made(gap: Gap, repair: Repair) -> Preview:
+    return Preview(gap, repair.method, repair.params, repair.patch, donors=repair.donors)

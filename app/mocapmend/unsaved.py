@@ -1,0 +1,85 @@
+"""What an export has to write, as it was at one moment: a thread works it out."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend import engine
+from mocapmend.engine import Changes, Exported
+from mocapmend.files import RepairRecord, Source
+from mocapmend.written import Places, differing_runs
+from mocapmend_algorithms import Gap, Progress
+
+if TYPE_CHECKING:
+    from mocapmend.document import Repair
+
+
+@dataclass(frozen=True, eq=False)
+class Unsaved:
+    """Samples that may differ from those of the file, and all repairs.
+
+    Attributes
+    ----------
+    source : Source
+        The file.
+    places : Places
+        Where the samples are.
+    values : ndarray, shape (n, 3)
+        What is there, NaN where missing.
+    repairs : mapping of Gap to Repair
+        Earlier ones included.
+    """
+
+    source: Source
+    places: Places
+    values: NDArray[np.float64]
+    repairs: "Mapping[Gap, Repair]"
+
+    def changes(self) -> Changes:
+        """Return what differs from the file."""
+        runs = differing_runs(self.values, self.source.recording.points, self.places)
+        return Changes(tuple(runs), self.records())
+
+    def records(self) -> tuple[RepairRecord, ...]:
+        """Return all repairs as the repair record has them."""
+        return tuple(
+            engine.record(self.source, made.patch, made.method, made.params, donors=made.donors)
+            for _, made in sorted(self.repairs.items(), key=lambda item: item[0])
+        )
+
+
+def export(
+    unsaved: Unsaved,
+    out: Path,
+    replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
+    progress: Progress,
+) -> Exported:
+    """Write the repaired copy of an open recording; see `engine.export`.
+
+    The user has agreed to whatever the file lacks.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written, or if a proof fails. Then nothing has changed.
+    """
+    source = unsaved.source
+    return engine.export(source, unsaved.changes(), out, replace_source, source.truncated, progress)
+
+
+def write_recipe(unsaved: Unsaved, path: Path, progress: Progress) -> None:
+    """Write the recipe of an open recording; see `recipe.write_recipe`.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be written.
+    """
+    # Not at the top: the window starts without it.
+    from mocapmend import recipe
+
+    recipe.write_recipe(unsaved.source, unsaved.records(), path, progress)
