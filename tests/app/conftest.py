@@ -16,7 +16,7 @@ from mocapmend.document import Document
 from mocapmend.engine import load
 from mocapmend.files import read_c3d
 from mocapmend.jobs import Jobs
-from mocapmend.settings import RANKING, Settings
+from mocapmend.settings import LANGUAGE, RANKING, Settings
 from mocapmend.views.main_window import MainWindow
 from mocapmend_algorithms import no_progress
 
@@ -36,9 +36,13 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
-    """Return settings that no other test and no user sees; without ranking, gaps are by time."""
+    """Return settings that no other test and no user sees.
+
+    Without ranking, gaps are by time; the language is English whatever the machine's is.
+    """
     made = Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
     made.set(RANKING, False)
+    made.set(LANGUAGE, "en")
     return made
 
 

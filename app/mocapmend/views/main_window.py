@@ -27,6 +27,7 @@ from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
 from mocapmend.settings import COMPARE, GEOMETRY, MOST_MISSING_FIRST, SHOWN, Settings
 from mocapmend.theme import Theme
+from mocapmend.views import language
 from mocapmend.views.action_calls import SWITCHES
 from mocapmend.views.action_wiring import connect_actions
 from mocapmend.views.appearance import Appearance
@@ -108,6 +109,7 @@ class MainWindow(QMainWindow):
         connect_actions(self)
         self.restoreGeometry(settings.get(GEOMETRY))
         self.actions_by_id[f"theme_{self.appearance.choice}"].setChecked(True)
+        self.actions_by_id[f"language_{language.wanted(settings)}"].setChecked(True)
         self.actions_by_id["compare"].setChecked(settings.get(COMPARE))
         self.actions_by_id["most_missing_first"].setChecked(settings.get(MOST_MISSING_FIRST))
         for name, shown in SHOWN.items():

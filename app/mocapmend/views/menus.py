@@ -1,5 +1,6 @@
 """The menu bar: the table of actions, and the lists that are made when they are looked at."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -8,7 +9,7 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
 from mocapmend.actions import ACTIONS, MENUS, ActionSpec, submenu_of
-from mocapmend.views.appearance import CHOICES
+from mocapmend.views import appearance, language
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -34,9 +35,8 @@ class Menus(QObject):
             if spec.starts_group:
                 self._menus.get(_path(spec), self._menus[spec.menu]).addSeparator()
             self._menu_of(spec).addAction(window.actions_by_id[spec.id])
-        themes = QActionGroup(self)
-        for choice in CHOICES:
-            themes.addAction(window.actions_by_id[f"theme_{choice}"])
+        self._group("theme", appearance.CHOICES)
+        self._group("language", language.CHOICES)
         layouts = window.actions_by_id["first_layout"].associatedObjects()
         self.layouts = next(each for each in layouts if isinstance(each, QMenu))
         self._fixed = len(self.layouts.actions())
@@ -60,6 +60,12 @@ class Menus(QObject):
             "Plots": self.tr("P&lots"),
             "Help": self.tr("&Help"),
         }[name]
+
+    def _group(self, name: str, choices: Sequence[str]) -> None:
+        """Make one of several actions the chosen one."""
+        group = QActionGroup(self)
+        for choice in choices:
+            group.addAction(self._window.actions_by_id[f"{name}_{choice}"])
 
     def _menu_of(self, spec: ActionSpec) -> QMenu:
         if not spec.submenu:

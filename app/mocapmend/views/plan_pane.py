@@ -202,7 +202,8 @@ class PlanPane(QWidget):
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         table.setItemDelegateForColumn(4, Indented(table))
         advance = table.fontMetrics().horizontalAdvance
-        texts = (longest, "000000 – 000000", "00000 (00000 ms)", self.model.tr("Expected error"))
+        error = str(self.model.headerData(3, Qt.Orientation.Horizontal))
+        texts = (longest, "000000 – 000000", "00000 (00000 ms)", error)
         narrow(
             table, {i: min(advance(text), 320) + 24 for i, text in enumerate(texts)}, stretched=4
         )
