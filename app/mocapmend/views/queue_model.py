@@ -11,9 +11,9 @@ from PySide6.QtCore import QAbstractTableModel, QObject, Qt, Signal
 from mocapmend.document import Document, Repair
 from mocapmend.prospects import Preview, Prospects
 from mocapmend.ranking import ORDERS, Problem, Status, ordered
+from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.registry import method_label
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -267,9 +267,9 @@ class QueueModel(QAbstractTableModel):
             )
         ]
         if problem.reason:
-            lines.append(problem.reason)
+            lines.append(shown(problem.reason))
         if best is not None:
-            lines.append(method_label(best.method))
+            lines.append(method_name(best.method))
         elif problem.tried and problem.status in (Status.OPEN, Status.LEFT):
             lines.append(self.tr("No repair that was tried could be tested here"))
         return "\n".join(lines)
