@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from mocapmend.actions import ACTIONS, MENUS, ActionSpec, submenu_of
+from mocapmend.actions import ACTIONS, MENUS, ActionSpec, menu_title, submenu_of
 from mocapmend.views import appearance, language
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class Menus(QObject):
         self._menus: dict[str, QMenu] = {}
         bar = window.menuBar()
         for name in MENUS:
-            self._menus[name] = bar.addMenu(self.title(name))
+            self._menus[name] = bar.addMenu(menu_title(name))
         for spec in ACTIONS:
             if spec.starts_group:
                 self._menus.get(_path(spec), self._menus[spec.menu]).addSeparator()
@@ -47,19 +47,6 @@ class Menus(QObject):
         self._menus["File"].insertMenu(window.actions_by_id["export"], self.recent)
         self.panes = self._menus["View"].addMenu(self.tr("Panes"))
         self.panes.aboutToShow.connect(self._fill_panes)
-
-    def title(self, name: str) -> str:
-        """Return what the user reads of a menu, with the mark of its key."""
-        return {
-            "File": self.tr("&File"),
-            "Edit": self.tr("&Edit"),
-            "Gaps": self.tr("&Gaps"),
-            "Repair": self.tr("&Repair"),
-            "Play": self.tr("&Play"),
-            "View": self.tr("&View"),
-            "Plots": self.tr("P&lots"),
-            "Help": self.tr("&Help"),
-        }[name]
 
     def _group(self, name: str, choices: Sequence[str]) -> None:
         """Make one of several actions the chosen one."""

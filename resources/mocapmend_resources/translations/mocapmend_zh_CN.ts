@@ -1383,11 +1383,11 @@
     </message>
     <message>
         <source>Principal components, all gaps at once</source>
-        <translation>主成分，同时处理全部缺失段</translation>
+        <translation>主成分，全部缺失段一次处理</translation>
     </message>
     <message>
         <source>Principal components, marker by marker</source>
-        <translation>主成分，逐个标记点</translation>
+        <translation>主成分，逐点</translation>
     </message>
     <message>
         <source>Low-dimensional Kalman smoother</source>
@@ -2648,7 +2648,7 @@
     </message>
     <message>
         <source>, 90 % within {0} mm</source>
-        <translation>，90 % 在 {0} mm 以内</translation>
+        <translation>，90 % 在 {0} mm 内</translation>
     </message>
     <message>
         <source>Donors: {0}</source>
