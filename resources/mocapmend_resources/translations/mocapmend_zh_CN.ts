@@ -4289,6 +4289,14 @@
         <translation>事件</translation>
     </message>
     <message>
+        <source>residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>bones</source>
+        <translation>骨段</translation>
+    </message>
+    <message>
         <source>the axis that points up</source>
         <translation>朝上的轴</translation>
     </message>

@@ -227,6 +227,8 @@ WARNINGS = (
     QT_TRANSLATE_NOOP("Sentences", "analog data"),
     QT_TRANSLATE_NOOP("Sentences", "model outputs"),
     QT_TRANSLATE_NOOP("Sentences", "events"),
+    QT_TRANSLATE_NOOP("Sentences", "residuals"),
+    QT_TRANSLATE_NOOP("Sentences", "bones"),
     QT_TRANSLATE_NOOP("Sentences", "the axis that points up"),
     QT_TRANSLATE_NOOP("Sentences", "The skeleton template {0} is left out: {1}."),
     QT_TRANSLATE_NOOP("Sentences", "it is larger than 1 MB"),
