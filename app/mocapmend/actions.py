@@ -1,5 +1,6 @@
 """The one table of actions and shortcuts: it makes menus, toolbar and the shortcut help."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -11,6 +12,16 @@ from mocapmend.translate import QT_TRANSLATE_NOOP
 
 Menu = Literal["File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help"]
 MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help")
+_TITLES: Mapping[Menu, str] = {
+    "File": QT_TRANSLATE_NOOP("Menus", "&File"),
+    "Edit": QT_TRANSLATE_NOOP("Menus", "&Edit"),
+    "Gaps": QT_TRANSLATE_NOOP("Menus", "&Gaps"),
+    "Repair": QT_TRANSLATE_NOOP("Menus", "&Repair"),
+    "Play": QT_TRANSLATE_NOOP("Menus", "&Play"),
+    "View": QT_TRANSLATE_NOOP("Menus", "&View"),
+    "Plots": QT_TRANSLATE_NOOP("Menus", "P&lots"),
+    "Help": QT_TRANSLATE_NOOP("Menus", "&Help"),
+}
 
 
 @dataclass(frozen=True)
@@ -546,6 +557,33 @@ ACTIONS: tuple[ActionSpec, ...] = (
         submenu=QT_TRANSLATE_NOOP("Actions", "Theme"),
     ),
     ActionSpec(
+        "language_system",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "As the system"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Language"),
+    ),
+    ActionSpec(
+        "language_en",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "English"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Language"),
+    ),
+    ActionSpec(
+        "language_zh_CN",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "中文"),
+        (),
+        "nothing",
+        checkable=True,
+        submenu=QT_TRANSLATE_NOOP("Actions", "Language"),
+    ),
+    ActionSpec(
         "text_larger",
         "View",
         QT_TRANSLATE_NOOP("Actions", "Larger"),
@@ -646,6 +684,16 @@ ACTIONS: tuple[ActionSpec, ...] = (
 def text_of(spec: ActionSpec) -> str:
     """Return what the user reads, in the user's language."""
     return QCoreApplication.translate("Actions", spec.text).format(spec.number)
+
+
+def menu_title(menu: Menu) -> str:
+    """Return what the user reads of a menu, with the mark of its key."""
+    return QCoreApplication.translate("Menus", _TITLES[menu])
+
+
+def menu_name(menu: Menu) -> str:
+    """Return what the user reads of a menu, without its key: some languages have it at the end."""
+    return re.sub(r"\(&.\)|&", "", menu_title(menu))
 
 
 def submenu_of(spec: ActionSpec) -> str:

@@ -22,6 +22,7 @@ class Setting(Generic[Value]):
 
 
 THEME = Setting("window/theme", "system")
+LANGUAGE = Setting("window/language", "system")
 TEXT_SIZE = Setting("window/text_size", 1.0)
 """As a multiple of what the system has."""
 TOUR_SHOWN = Setting(key="window/tour_shown", default=False)

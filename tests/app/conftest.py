@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from c3d_synthetic import Synthetic, encode
 from holes import HOLES
-from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtCore import QLocale, QSettings, QTranslator
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 from repaired_files import write_repaired
 
@@ -16,7 +16,8 @@ from mocapmend.document import Document
 from mocapmend.engine import load
 from mocapmend.files import read_c3d
 from mocapmend.jobs import Jobs
-from mocapmend.settings import RANKING, Settings
+from mocapmend.settings import LANGUAGE, RANKING, Settings
+from mocapmend.views import language
 from mocapmend.views.main_window import MainWindow
 from mocapmend_algorithms import no_progress
 
@@ -36,10 +37,27 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
-    """Return settings that no other test and no user sees; without ranking, gaps are by time."""
+    """Return settings that no other test and no user sees.
+
+    Without ranking, gaps are by time; the language is English whatever the machine's is.
+    """
     made = Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
     made.set(RANKING, False)
+    made.set(LANGUAGE, "en")
     return made
+
+
+@pytest.fixture
+def chinese(qapp: QApplication, settings: Settings) -> Iterator[None]:
+    """Let the program speak Chinese during a test."""
+    locale = QLocale()
+    settings.set(LANGUAGE, "zh_CN")
+    language.install(qapp, settings)
+    yield
+    for translator in qapp.findChildren(QTranslator):
+        qapp.removeTranslator(translator)
+        translator.setParent(None)
+    QLocale.setDefault(locale)
 
 
 @pytest.fixture

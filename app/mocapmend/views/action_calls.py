@@ -3,6 +3,8 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from mocapmend.views import language
+
 if TYPE_CHECKING:
     from mocapmend.views.file_actions import FileActions
     from mocapmend.views.main_window import MainWindow
@@ -17,6 +19,9 @@ WINDOW_COMMANDS: "dict[str, Callable[[MainWindow], object]]" = {
     "theme_system": lambda m: m.appearance.choose("system"),
     "theme_light": lambda m: m.appearance.choose("light"),
     "theme_dark": lambda m: m.appearance.choose("dark"),
+    "language_system": lambda m: language.choose("system", m),
+    "language_en": lambda m: language.choose("en", m),
+    "language_zh_CN": lambda m: language.choose("zh_CN", m),
     "text_larger": lambda m: m.appearance.step_text(1),
     "text_smaller": lambda m: m.appearance.step_text(-1),
     "text_normal": lambda m: m.appearance.step_text(0),

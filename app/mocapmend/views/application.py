@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 from mocapmend import __version__
 from mocapmend.errors import MocapmendError
 from mocapmend.settings import TOUR_SHOWN, Settings
+from mocapmend.views import language
 from mocapmend.views.first_paint import FirstPaint
 from mocapmend.views.main_window import MainWindow
 
@@ -58,7 +59,9 @@ def run(path: Path | None) -> int:
     """
     require_display()
     app = make_application()
-    window = MainWindow(Settings())
+    settings = Settings()
+    language.install(app, settings)
+    window = MainWindow(settings)
 
     def show_unexpected(
         kind: type[BaseException], error: BaseException, trace: TracebackType | None

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.prospects import Preview
+from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.tables import dress, narrow
 from mocapmend.viewstate import ViewState
-from mocapmend_algorithms.fill.registry import method_label
 
 METHODS = ("auto", "local-frame", "pca-r2", "rigid", "kalman", "cubic", "linear")
 """Compared for every gap: quick ones of each kind. Their places are the keys that choose them."""
@@ -69,7 +69,7 @@ class CandidateList(QTableWidget):
         self._following = True
         self.setRowCount(len(self._methods))
         for row, name in enumerate(self._methods):
-            texts = (str(row + 1), method_label(name), "")
+            texts = (str(row + 1), method_name(name), "")
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 if column == 2:
@@ -103,7 +103,7 @@ class CandidateList(QTableWidget):
             for column in range(3):
                 cell = self.item(row, column)
                 assert cell is not None
-                cell.setToolTip(tip or method_label(name))
+                cell.setToolTip(tip or method_name(name))
 
     def _text(self, preview: Preview | None, least: float) -> tuple[str, str]:
         """Return what stands in the last column, and the tool tip."""
@@ -113,7 +113,7 @@ class CandidateList(QTableWidget):
         if preview is None:
             return "…", self.tr("Not computed yet")
         if preview.patch is None:
-            return "—", preview.reason
+            return "—", shown(preview.reason)
         error = preview.expected_error
         if math.isnan(error):
             return "?", self.tr("Too little of the recording to test on")

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QLabel, QTableWidget, QVBoxLayout, QWidge
 
 from mocapmend.files import CheckReport
 from mocapmend.views.dialogs import table_dialog
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.tables import narrow
 
 translate = QCoreApplication.translate
@@ -67,7 +68,7 @@ def _arrange(table: QTableWidget) -> None:
 def _verdict(original: Path, repaired: Path, found: CheckReport) -> str:
     mark = "✔" if found.passed else "✘"
     parts = [
-        f"<b>{mark} {escape(found.sentence)}</b>",
+        f"<b>{mark} {escape(shown(found.sentence))}</b>",
         translate("Check", "Original: {0}<br>Copy: {1}").format(
             escape(str(original.resolve())), escape(str(repaired.resolve()))
         ),
@@ -80,7 +81,7 @@ def _verdict(original: Path, repaired: Path, found: CheckReport) -> str:
 def _list(title: str, sentences: Sequence[str]) -> str:
     if not sentences:
         return ""
-    shown = [f"• {escape(sentence)}" for sentence in sentences[:MOST_LISTED]]
+    listed = [f"• {escape(shown(sentence))}" for sentence in sentences[:MOST_LISTED]]
     if len(sentences) > MOST_LISTED:
-        shown.append(translate("Check", "and {0} more").format(len(sentences) - MOST_LISTED))
-    return f"{title}<br>" + "<br>".join(shown)
+        listed.append(translate("Check", "and {0} more").format(len(sentences) - MOST_LISTED))
+    return f"{title}<br>" + "<br>".join(listed)

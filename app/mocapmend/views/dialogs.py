@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from mocapmend import __version__
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.tables import dress
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Unfilled
@@ -42,8 +43,8 @@ def error_box(parent: QWidget | None, error: Exception) -> QMessageBox:
     box.setWindowTitle("mocapmend")
     box.setTextFormat(Qt.TextFormat.PlainText)
     if isinstance(error, MocapmendError):
-        box.setText(error.what)
-        box.setInformativeText("\n".join(part for part in (error.where, error.todo) if part))
+        box.setText(shown(error.what))
+        box.setInformativeText("\n".join(part for part in (error.where, shown(error.todo)) if part))
     else:
         box.setText(
             translate(
@@ -72,7 +73,7 @@ def left_open_dialog(
         (
             recording.labels[entry.gap.marker],
             f"{entry.gap.start + first} – {entry.gap.stop - 1 + first}",
-            entry.reason,
+            shown(entry.reason),
         )
         for entry in unfilled
     ]

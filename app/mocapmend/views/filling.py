@@ -133,7 +133,7 @@ class Filling(QObject):
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
             edits = Edit.fills(result, *way)
-            self._push(edits, self.tr("fill {0} gaps ({1})").format(filled, way.method))
+            self._push(edits, f"fill {filled} gaps ({way.method})")
         self.message.emit(self.tr("{0} gaps filled, {1} left open.").format(filled, left))
         self.done.emit(filled, left)
 

@@ -1,4 +1,7 @@
-"""What the user does to the current gap."""
+"""What the user does to the current gap.
+
+Names of edits and reasons are English, for reports and journals; they are translated where shown.
+"""
 
 from collections.abc import Callable
 
@@ -69,9 +72,7 @@ class GapActions(QObject):
             self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
             return False
         edit = Edit.fill(preview.patch, preview.method, preview.params, preview.donors)
-        self._push(
-            [edit], self.tr("fill {0} ({1})").format(self._name(preview.gap), preview.method)
-        )
+        self._push([edit], f"fill {self._name(preview.gap)} ({preview.method})")
         return True
 
     def apply_and_go_on(self) -> None:
@@ -83,7 +84,7 @@ class GapActions(QObject):
         """Turn the current gap's repair back into a gap."""
         gap = self._view.gap
         if gap is not None and gap in self._document.repairs:
-            text = self.tr("clear the repair of {0}").format(self._name(gap))
+            text = f"clear the repair of {self._name(gap)}"
             self._push([Edit.clear(gap)], text)
         else:
             self.message.emit(self.tr("There is no repair here."))
@@ -97,7 +98,7 @@ class GapActions(QObject):
             self._document.take_up(gap)
             self.message.emit(self.tr("The gap is open again."))
         else:
-            self._document.put_aside(gap, self.tr("left open by hand"))
+            self._document.put_aside(gap, "left open by hand")
             self.step(1)
 
     def never_fill(self) -> None:
@@ -112,10 +113,10 @@ class GapActions(QObject):
         open_gaps = [gap for gap in gaps if gap in self._document.gaps_of(gap.marker)]
         if open_gaps:
             edits = [Edit.clear(gap, SampleState.NEVER) for gap in open_gaps]
-            text = self.tr("never fill {0} gaps").format(len(edits))
+            text = f"never fill {len(edits)} gaps"
         else:
             edits = [Edit.clear(gap) for gap in gaps]
-            text = self.tr("allow to fill {0} gaps").format(len(edits))
+            text = f"allow to fill {len(edits)} gaps"
         self._push(edits, text)
 
     def widen(self, frames: int) -> None:
@@ -129,7 +130,7 @@ class GapActions(QObject):
             return
         self._push(
             [resized(self._document, gap, wanted)],
-            self.tr("move the ends of a gap of {0}").format(self._name(gap)),
+            f"move the ends of a gap of {self._name(gap)}",
         )
         self._view.set_gap(wanted)
 

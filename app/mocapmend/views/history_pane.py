@@ -4,6 +4,8 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex
 from PySide6.QtGui import QPalette, QUndoStack
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QUndoView
 
+from mocapmend.views.engine_texts import shown
+
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -22,7 +24,7 @@ class HistoryPane(QUndoView):
 
     def row_text(self, row: int) -> str:
         """Return what is shown of a step; row 0 is the recording as it was opened."""
-        text = self.emptyLabel() if row == 0 else f"{row}. {self._stack.text(row - 1)}"
+        text = self.emptyLabel() if row == 0 else f"{row}. {shown(self._stack.text(row - 1))}"
         if row > self._stack.index():
             text = self.tr("{0} (undone)").format(text)
         # A recording that was just opened is clean, but nothing was exported.

@@ -27,11 +27,13 @@ from mocapmend.jobs import Jobs
 from mocapmend.log import log_path
 from mocapmend.settings import COMPARE, GEOMETRY, MOST_MISSING_FIRST, SHOWN, Settings
 from mocapmend.theme import Theme
+from mocapmend.views import language
 from mocapmend.views.action_calls import SWITCHES
 from mocapmend.views.action_wiring import connect_actions
 from mocapmend.views.appearance import Appearance
 from mocapmend.views.dialogs import environment, error_box
 from mocapmend.views.documents import Documents
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.icons import program_icon
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend.views.keys import KeyGuard
@@ -108,12 +110,13 @@ class MainWindow(QMainWindow):
         connect_actions(self)
         self.restoreGeometry(settings.get(GEOMETRY))
         self.actions_by_id[f"theme_{self.appearance.choice}"].setChecked(True)
+        self.actions_by_id[f"language_{language.wanted(settings)}"].setChecked(True)
         self.actions_by_id["compare"].setChecked(settings.get(COMPARE))
         self.actions_by_id["most_missing_first"].setChecked(settings.get(MOST_MISSING_FIRST))
-        for name, shown in SHOWN.items():
-            self.actions_by_id[name].setChecked(settings.get(shown))
+        for name, setting in SHOWN.items():
+            self.actions_by_id[name].setChecked(settings.get(setting))
             self.actions_by_id[name].toggled.connect(
-                lambda on, shown=shown: settings.set(shown, on)
+                lambda on, setting=setting: settings.set(setting, on)
             )
         self.appearance.apply()
         self._show_theme()
@@ -336,8 +339,8 @@ class MainWindow(QMainWindow):
     def _show_undo(self) -> None:
         stack = self.workspace.document.undo_stack if self.workspace else None
         for name, text, label in (
-            ("undo", stack.undoText() if stack else "", self.tr("Undo")),
-            ("redo", stack.redoText() if stack else "", self.tr("Redo")),
+            ("undo", shown(stack.undoText()) if stack else "", self.tr("Undo")),
+            ("redo", shown(stack.redoText()) if stack else "", self.tr("Redo")),
         ):
             action = self.actions_by_id[name]
             action.setEnabled(bool(text))

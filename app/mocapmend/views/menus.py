@@ -1,5 +1,6 @@
 """The menu bar: the table of actions, and the lists that are made when they are looked at."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -7,8 +8,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from mocapmend.actions import ACTIONS, MENUS, ActionSpec, submenu_of
-from mocapmend.views.appearance import CHOICES
+from mocapmend.actions import ACTIONS, MENUS, ActionSpec, menu_title, submenu_of
+from mocapmend.views import appearance, language
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -29,14 +30,13 @@ class Menus(QObject):
         self._menus: dict[str, QMenu] = {}
         bar = window.menuBar()
         for name in MENUS:
-            self._menus[name] = bar.addMenu(self.title(name))
+            self._menus[name] = bar.addMenu(menu_title(name))
         for spec in ACTIONS:
             if spec.starts_group:
                 self._menus.get(_path(spec), self._menus[spec.menu]).addSeparator()
             self._menu_of(spec).addAction(window.actions_by_id[spec.id])
-        themes = QActionGroup(self)
-        for choice in CHOICES:
-            themes.addAction(window.actions_by_id[f"theme_{choice}"])
+        self._group("theme", appearance.CHOICES)
+        self._group("language", language.CHOICES)
         layouts = window.actions_by_id["first_layout"].associatedObjects()
         self.layouts = next(each for each in layouts if isinstance(each, QMenu))
         self._fixed = len(self.layouts.actions())
@@ -48,18 +48,11 @@ class Menus(QObject):
         self.panes = self._menus["View"].addMenu(self.tr("Panes"))
         self.panes.aboutToShow.connect(self._fill_panes)
 
-    def title(self, name: str) -> str:
-        """Return what the user reads of a menu, with the mark of its key."""
-        return {
-            "File": self.tr("&File"),
-            "Edit": self.tr("&Edit"),
-            "Gaps": self.tr("&Gaps"),
-            "Repair": self.tr("&Repair"),
-            "Play": self.tr("&Play"),
-            "View": self.tr("&View"),
-            "Plots": self.tr("P&lots"),
-            "Help": self.tr("&Help"),
-        }[name]
+    def _group(self, name: str, choices: Sequence[str]) -> None:
+        """Make one of several actions the chosen one."""
+        group = QActionGroup(self)
+        for choice in choices:
+            group.addAction(self._window.actions_by_id[f"{name}_{choice}"])
 
     def _menu_of(self, spec: ActionSpec) -> QMenu:
         if not spec.submenu:

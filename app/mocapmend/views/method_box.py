@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from mocapmend.views.engine_texts import method_text
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS, Family, Method
 
 INDENT = "   "
@@ -37,14 +38,14 @@ class MethodBox(QComboBox):
             if members and family != "Automatic":
                 items.appendRow(self._heading(family))
             for method in members:
-                item = QStandardItem(method.label)
+                item = QStandardItem(method_text(method.label))
                 item.setData(method.id, Qt.ItemDataRole.UserRole)
-                item.setToolTip(method.help)
+                item.setToolTip(method_text(method.help))
                 items.appendRow(item)
         return items
 
     def _heading(self, family: Family) -> QStandardItem:
-        item = QStandardItem(family)
+        item = QStandardItem(method_text(family))
         item.setFlags(Qt.ItemFlag.NoItemFlags)
         font = self.font()
         font.setBold(True)

@@ -3,6 +3,8 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox, QToolButton, QWidget
 
+from mocapmend.views.engine_texts import shown
+
 
 class NotesBar(QToolButton):
     """A button that tells how many notes the reader made, and shows them."""
@@ -15,11 +17,11 @@ class NotesBar(QToolButton):
 
     def show_warnings(self, warnings: tuple[str, ...]) -> None:
         """Offer the notes of a file, or hide when there are none."""
-        self._warnings = warnings
+        self._warnings = tuple(map(shown, warnings))
         count = len(warnings)
         text = self.tr("1 note on this file") if count == 1 else self.tr("{0} notes on this file")
         self.setText("⚠ " + text.format(count))
-        self.setToolTip("\n".join(warnings))
+        self.setToolTip("\n".join(self._warnings))
         self.setVisible(bool(warnings))
 
     def _show(self) -> None:

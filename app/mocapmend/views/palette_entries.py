@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication
 
-from mocapmend.actions import ACTIONS, ActionSpec, key_texts, submenu_of
+from mocapmend.actions import ACTIONS, ActionSpec, key_texts, menu_name, submenu_of
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -47,7 +47,7 @@ def _actions(window: "MainWindow") -> Iterator[Entry]:
         action = window.actions_by_id[spec.id]
         if spec.id == "palette":
             continue
-        place = window.menus.title(spec.menu).replace("&", "")
+        place = menu_name(spec.menu)
         if spec.submenu:
             place = f"{place} › {submenu_of(spec)}"
         keys = ", ".join(key_texts(action))

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from mocapmend.views.engine_texts import method_text
 from mocapmend.views.names_edit import NamesEdit
 from mocapmend.views.training_box import TrainingBox
 from mocapmend_algorithms.fill.params import Words
@@ -62,11 +63,12 @@ class ParamsForm(QWidget):
             value = getattr(params, entry.name)
             widget, getter = self._editor(entry, hints[entry.name], value)
             widget.setObjectName(entry.name)
-            widget.setToolTip(str(entry.metadata.get("help", "")))
+            widget.setToolTip(method_text(str(entry.metadata.get("help", ""))))
+            label = method_text(str(entry.metadata.get("label", entry.name)))
             # The keyboard may be in a part of it.
             for part in (widget, widget.focusProxy() or widget):
-                part.setAccessibleName(str(entry.metadata.get("label", entry.name)))
-            self._layout.addRow(str(entry.metadata.get("label", entry.name)), widget)
+                part.setAccessibleName(label)
+            self._layout.addRow(label, widget)
             self._getters[entry.name] = getter
         self.rebuilt.emit()
 
@@ -109,7 +111,7 @@ class ParamsForm(QWidget):
     def _choice(self, options: tuple[str, ...], value: object) -> tuple[QWidget, Getter]:
         combo = QComboBox()
         for option in options:
-            combo.addItem(option, option)
+            combo.addItem(method_text(option), option)
         combo.setCurrentIndex(options.index(str(value)))
         combo.currentIndexChanged.connect(self.changed)
         return combo, combo.currentData
@@ -121,7 +123,7 @@ class ParamsForm(QWidget):
         return edit, edit.labels
 
     def _training(self, entry: Field[Any], value: str) -> tuple[QWidget, Getter]:
-        box = TrainingBox(value, entry.metadata["label"])
+        box = TrainingBox(value, method_text(entry.metadata["label"]))
         box.changed.connect(self.changed)
         return box, box.name
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.views.action_button import ActionButton
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, Index
@@ -122,7 +123,7 @@ class PlanModel(QAbstractTableModel):
             return self.tr("… not computed yet")
         if row.outcome is Outcome.FILLED:
             return self.tr("✔ filled")
-        return self.tr("○ stays open: {0}").format(row.reason)
+        return self.tr("○ stays open: {0}").format(shown(row.reason))
 
 
 class PlanPane(QWidget):
@@ -205,7 +206,8 @@ class PlanPane(QWidget):
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         table.setItemDelegateForColumn(4, Indented(table))
         advance = table.fontMetrics().horizontalAdvance
-        texts = (longest, "000000 – 000000", "00000 (00000 ms)", self.model.tr("Expected error"))
+        error = str(self.model.headerData(3, Qt.Orientation.Horizontal))
+        texts = (longest, "000000 – 000000", "00000 (00000 ms)", error)
         narrow(
             table, {i: min(advance(text), 320) + 24 for i, text in enumerate(texts)}, stretched=4
         )

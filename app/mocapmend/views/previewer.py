@@ -9,6 +9,7 @@ from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
 from mocapmend.prospects import Preview, Prospects, Way
+from mocapmend.views.engine_texts import error_text
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult
@@ -113,7 +114,7 @@ class Previewer(QObject):
             quiet=True,
         )
         job.finished.connect(lambda result: self._keep(gap, way, result))
-        job.cancelled.connect(lambda: self._refuse(gap, way, self.tr("the preview was cancelled")))
+        job.cancelled.connect(lambda: self._refuse(gap, way, "the preview was cancelled"))
         job.failed.connect(lambda error: self._tell(gap, way, error))
         self._job = job
 
@@ -124,9 +125,9 @@ class Previewer(QObject):
     def _tell(self, gap: Gap, way: Way, error: Exception) -> None:
         """Show what the user can mend where the preview would be: no dialog at every gap."""
         if isinstance(error, MocapmendError):
-            self._refuse(gap, way, str(error))
+            self._refuse(gap, way, error_text(error))
         else:
-            self._refuse(gap, way, self.tr("the preview failed"))
+            self._refuse(gap, way, "the preview failed")
             self.failed.emit(error)
 
     def _refuse(self, gap: Gap, way: Way, reason: str) -> None:

@@ -188,7 +188,7 @@ class ProofActions(QObject):
         if not edits:
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
-        workspace.push(edits, self.tr("replay {0}").format(path.name))
+        workspace.push(edits, f"replay {path.name}")
         text = self.tr("{0} edits made again.")
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")

@@ -12,9 +12,9 @@ from mocapmend.document import Document
 from mocapmend.problem_list import Places, ProblemList
 from mocapmend.prospects import Prospects
 from mocapmend.ranking import Problem, Status
+from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.registry import method_label
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -294,9 +294,9 @@ class QueueModel(QAbstractTableModel):
             )
         ]
         if problem.reason:
-            lines.append(problem.reason)
+            lines.append(shown(problem.reason))
         if best is not None:
-            lines.append(method_label(best.method))
+            lines.append(method_name(best.method))
         elif problem.tried and problem.status < Status.REPAIRED:
             lines.append(self.tr("No repair that was tried could be tested here"))
         return "\n".join(lines)

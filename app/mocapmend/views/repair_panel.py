@@ -23,13 +23,14 @@ from mocapmend.settings import COMPARE, METHOD, Settings
 from mocapmend.trimming import hidden
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.candidate_list import CandidateList
+from mocapmend.views.engine_texts import method_name, method_text, shown
 from mocapmend.views.limits_box import LimitsBox
 from mocapmend.views.method_box import MethodBox
 from mocapmend.views.params_form import ParamsForm
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Patch
-from mocapmend_algorithms.fill.registry import METHODS, method_label
+from mocapmend_algorithms.fill.registry import METHODS
 
 PANEL_WIDTH = 270
 MOST_DONORS = 6
@@ -222,7 +223,7 @@ class RepairPanel(QScrollArea):
 
     def _show_method(self) -> None:
         method = self._method.method
-        self._method.setToolTip(method.help)
+        self._method.setToolTip(method_text(method.help))
         self._candidates.choose(method.id)
         self._form.show_params(self._params_of(method.id))
         self._offer_donors()
@@ -261,7 +262,7 @@ class RepairPanel(QScrollArea):
         elif gap in self._document.never_of(gap.marker):
             text = self.tr("<b>Never to be filled.</b> Shift+X makes it a gap again.")
         elif repair is not None:
-            text = self.tr("Repaired with <b>{0}</b>").format(method_label(repair.method))
+            text = self.tr("Repaired with <b>{0}</b>").format(method_name(repair.method))
             text += "<br>" + self._error_text(repair.patch) + self._donors_text(repair.donors)
         elif preview is None:
             text = self.tr("Computing the preview…")
@@ -301,7 +302,7 @@ class RepairPanel(QScrollArea):
 
     def _preview_text(self, preview: Preview) -> str:
         if preview.patch is None:
-            return self.tr("<b>Stays open:</b> {0}").format(escape(preview.reason))
+            return self.tr("<b>Stays open:</b> {0}").format(escape(shown(preview.reason)))
         text = self._error_text(preview.patch)
         limit = self.limits.max_error_mm()
         if preview.patch.expected_error * self._document.original.mm > limit:

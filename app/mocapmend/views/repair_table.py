@@ -14,12 +14,13 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QLabel, QStackedLayout, QTableView, QWidget
 
 from mocapmend.document import Document, Repair
+from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
 from mocapmend.views.tables import INDENT, Indented, dress, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.registry import METHODS, method_label
+from mocapmend_algorithms.fill.registry import METHODS
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -102,7 +103,7 @@ class RepairModel(QAbstractTableModel):
             self._document.names[gap.marker],
             f"{gap.start + first} – {last}" if gap.length > 1 else str(last),
             str(gap.length),
-            method_label(repair.method),
+            method_name(repair.method),
             f"{error:.1f} mm" if np.isfinite(error) else "—",
             self.tr("before") if self._document.is_earlier(gap) else self.tr("now"),
             ", ".join(self._names.get(donor, donor) for donor in repair.donors),
@@ -174,7 +175,7 @@ class RepairTable(QWidget):
             0: longest,
             1: "000000 – 000000",
             2: "00000",
-            3: INDENT + max((method.label for method in METHODS.values()), key=len),
+            3: INDENT + max(map(method_name, METHODS), key=advance),
             4: "0000.0 mm",
             5: INDENT + self.tr("before"),
         }

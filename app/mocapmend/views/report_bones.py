@@ -27,7 +27,8 @@ class BonesPage(QWidget):
         self._document = document
         self._theme = theme
         self._report: Report | None = None
-        self.plot = ReportPlot(document, f"{self.tr('Length')} ({document.original.unit})")
+        length = self.tr("Length ({0})").format(document.original.unit)
+        self.plot = ReportPlot(document, length)
         self.table = self._make_table()
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -92,8 +93,8 @@ class BonesPage(QWidget):
         self.plot.draw(after, repaired, AFTER)
         self.plot.draw(bone_lengths(self._document.original.points, bone)[:, 0], measured, BEFORE)
         legend = (
-            f'<span style="color:{measured}">╌╌ {self.tr("measured (dashed)")}</span>',
-            f'<span style="color:{repaired}">━━ {self.tr("repaired (solid)")}</span>',
+            f'<span style="color:{measured}">╌╌ ' + self.tr("measured (dashed)") + "</span>",
+            f'<span style="color:{repaired}">━━ ' + self.tr("repaired (solid)") + "</span>",
         )
         self.plot.setTitle(" &nbsp; ".join(legend), size="9pt", color=self._theme.dim)
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.report import EditRow, Methods
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.tables import INDENT, Indented, dress, narrow
 
@@ -125,7 +126,7 @@ class HistoryPage(QWidget):
         first = 0 if earlier else 1
         for place, (row, state) in enumerate(rows):
             numbers = (row.markers, row.runs, row.filled, row.cleared)
-            texts = (str(place + first), row.text, *map(str, numbers), state)
+            texts = (str(place + first), shown(row.text), *map(str, numbers), state)
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 if column not in (WHAT, STATE):

@@ -85,7 +85,7 @@ class TrackingPage(QWidget):
                     )
                 )
         lines = (
-            f'<span style="color:{self._theme.text}">╌╌</span> {self.tr("before (dashed)")}',
+            f'<span style="color:{self._theme.text}">╌╌</span> ' + self.tr("before (dashed)"),
             f'<span style="color:{self._theme.state_colour(SampleState.FILLED)}">━━</span> '
             + self.tr("after (solid)"),
             *ends,

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from mocapmend.actions import ACTIONS, submenu_of, text_of
+from mocapmend.actions import ACTIONS, menu_name, submenu_of, text_of
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.shortcuts import Shortcuts
 from mocapmend.views.tables import dress
@@ -128,7 +128,9 @@ class ShortcutsDialog(QDialog):
     def _fill(self) -> None:
         """List the actions that fit what is searched for; the current one stays current."""
         current = self.current
-        texts = [f"{text_of(spec)} {spec.menu} {self._keys_of(spec.id)}" for spec in ACTIONS]
+        texts = [
+            f"{text_of(spec)} {menu_name(spec.menu)} {self._keys_of(spec.id)}" for spec in ACTIONS
+        ]
         typed = self.field.text()
         # Signs are no words: a key like "]" is found in the text as it is.
         order = ranked(typed, texts) if any(map(str.isalnum, typed)) else range(len(ACTIONS))
@@ -137,7 +139,9 @@ class ShortcutsDialog(QDialog):
         self._specs = [ACTIONS[k] for k in order]
         self.table.setRowCount(len(self._specs))
         for row, spec in enumerate(self._specs):
-            place = f"{spec.menu} › {submenu_of(spec)}" if spec.submenu else spec.menu
+            place = menu_name(spec.menu)
+            if spec.submenu:
+                place = f"{place} › {submenu_of(spec)}"
             keys = self._keys_of(spec.id)
             if self._shortcuts.is_changed(spec.id):
                 keys = self.tr("{0} (changed)").format(keys or "—")

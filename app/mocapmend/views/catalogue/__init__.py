@@ -1,0 +1,1 @@
+"""The texts of packages without Qt, for Qt Linguist; `engine_texts` finds them again."""

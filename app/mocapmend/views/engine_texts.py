@@ -1,0 +1,89 @@
+"""Texts of packages without Qt, in the user's language.
+
+Those packages speak English, in whole sentences with numbers and names in them. The catalogue lists
+the sentences with {0}, {1}, ... where they change. What it does not list is shown as it is.
+"""
+
+import re
+from functools import cache, lru_cache
+
+from PySide6.QtCore import QCoreApplication
+
+from mocapmend.errors import MocapmendError
+from mocapmend.views.catalogue.checks import CHECKS
+from mocapmend.views.catalogue.errors import ERRORS
+from mocapmend.views.catalogue.reasons import REASONS
+from mocapmend.views.catalogue.warnings import WARNINGS
+from mocapmend_algorithms.fill.registry import method_label
+
+SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS)
+_PLACE = re.compile(r"\{\d\}")
+
+
+def method_text(text: str) -> str:
+    """Return a label, a help or a choice of the table of methods in the user's language."""
+    return QCoreApplication.translate("Methods", text) if text else ""
+
+
+def method_name(method_id: str) -> str:
+    """Return a method's label in the user's language; the id of one that is not known."""
+    return method_text(method_label(method_id))
+
+
+def shown(text: str) -> str:
+    """Return a sentence of a package without Qt in the user's language.
+
+    Parameters
+    ----------
+    text : str
+        A reason, a warning, the name of an edit, or part of an error.
+
+    Returns
+    -------
+    str
+        The translation, with the changing parts put in; the text itself if it is in no catalogue.
+    """
+    found = find(text)
+    if found is None:
+        return text
+    template, parts = found
+    translated = QCoreApplication.translate("Sentences", template)
+    return translated.format(*map(_shown_part, parts)) if parts else translated
+
+
+def error_text(error: MocapmendError) -> str:
+    """Return an error in one line in the user's language."""
+    place = f"{error.where}: " if error.where else ""
+    return place + " ".join(shown(part) for part in (error.what, error.todo) if part)
+
+
+@lru_cache(maxsize=4096)
+def find(text: str) -> tuple[str, tuple[str, ...]] | None:
+    """Return the sentence of the catalogue that fits a text, and the parts that change in it."""
+    for template, pattern in _patterns():
+        if match := pattern.fullmatch(text):
+            return template, match.groups()
+    return None
+
+
+def _shown_part(part: str) -> str:
+    """Translate a part that is a sentence itself, or a list of such."""
+    if find(part) is None and ", " in part:
+        return ", ".join(map(shown, part.split(", ")))
+    return shown(part)
+
+
+@cache
+def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
+    """Make the patterns of all sentences; the more of it is fixed, the earlier it is tried."""
+    fixed = sorted(SENTENCES, key=lambda text: len(_PLACE.sub("", text)), reverse=True)
+    return tuple((text, _pattern(text)) for text in fixed)
+
+
+def _pattern(template: str) -> re.Pattern[str]:
+    """Make a pattern of which group k is what {k} stands for."""
+    pieces = re.split(r"(\{\d\})", template)
+    return re.compile(
+        "".join("(.+?)" if _PLACE.fullmatch(piece) else re.escape(piece) for piece in pieces),
+        re.DOTALL,
+    )

@@ -1,0 +1,4827 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Export repaired recording…</source>
+        <translation>导出修复后的记录…</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Check a repaired copy…</source>
+        <translation>检查修复副本…</translation>
+    </message>
+    <message>
+        <source>Save recipe…</source>
+        <translation>保存修复方案…</translation>
+    </message>
+    <message>
+        <source>Replay recipe…</source>
+        <translation>重放修复方案…</translation>
+    </message>
+    <message>
+        <source>Close file</source>
+        <translation>关闭文件</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Select all markers</source>
+        <translation>选择全部标记点</translation>
+    </message>
+    <message>
+        <source>Select no marker</source>
+        <translation>取消选择标记点</translation>
+    </message>
+    <message>
+        <source>Next gap</source>
+        <translation>下一个缺失段</translation>
+    </message>
+    <message>
+        <source>Previous gap</source>
+        <translation>上一个缺失段</translation>
+    </message>
+    <message>
+        <source>Next gap of this marker</source>
+        <translation>此标记点的下一个缺失段</translation>
+    </message>
+    <message>
+        <source>Previous gap of this marker</source>
+        <translation>此标记点的上一个缺失段</translation>
+    </message>
+    <message>
+        <source>Leave this gap open</source>
+        <translation>保留此缺失段不填补</translation>
+    </message>
+    <message>
+        <source>Never fill this gap</source>
+        <translation>永不填补此缺失段</translation>
+    </message>
+    <message>
+        <source>Cut a frame off both edges of the gap</source>
+        <translation>缺失段两端各多切除一帧</translation>
+    </message>
+    <message>
+        <source>Give a frame back at both edges</source>
+        <translation>缺失段两端各还回一帧</translation>
+    </message>
+    <message>
+        <source>Apply the previewed repair</source>
+        <translation>应用预览的修复</translation>
+    </message>
+    <message>
+        <source>Apply and go to the next gap</source>
+        <translation>应用并转到下一个缺失段</translation>
+    </message>
+    <message>
+        <source>Turn this repair back into a gap</source>
+        <translation>将此修复还原为缺失段</translation>
+    </message>
+    <message>
+        <source>Choose repair {0}</source>
+        <translation>选择修复 {0}</translation>
+    </message>
+    <message>
+        <source>Choose repair</source>
+        <translation>选择修复</translation>
+    </message>
+    <message>
+        <source>Next method</source>
+        <translation>下一种方法</translation>
+    </message>
+    <message>
+        <source>Previous method</source>
+        <translation>上一种方法</translation>
+    </message>
+    <message>
+        <source>Compare repairs side by side</source>
+        <translation>并列比较各种修复</translation>
+    </message>
+    <message>
+        <source>Pick donors by clicking markers</source>
+        <translation>点击标记点以选取参考标记点</translation>
+    </message>
+    <message>
+        <source>Plan for all gaps</source>
+        <translation>全部缺失段的填补计划</translation>
+    </message>
+    <message>
+        <source>Save plan…</source>
+        <translation>保存计划…</translation>
+    </message>
+    <message>
+        <source>Load plan…</source>
+        <translation>载入计划…</translation>
+    </message>
+    <message>
+        <source>Fill all gaps up to the limit</source>
+        <translation>填补限值内的全部缺失段</translation>
+    </message>
+    <message>
+        <source>Play / pause</source>
+        <translation>播放 / 暂停</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>下一帧</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>上一帧</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>前进一秒</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>后退一秒</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>第一帧</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>最后一帧</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>加快</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>减慢</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>下一个事件</translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation>上一个事件</translation>
+    </message>
+    <message>
+        <source>Select from here</source>
+        <translation>从此处开始选择</translation>
+    </message>
+    <message>
+        <source>Select to here</source>
+        <translation>选择到此处</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>取消选择</translation>
+    </message>
+    <message>
+        <source>Loop the selection, or everything</source>
+        <translation>循环播放所选范围或全部</translation>
+    </message>
+    <message>
+        <source>Front view</source>
+        <translation>前视图</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>视角</translation>
+    </message>
+    <message>
+        <source>Back view</source>
+        <translation>后视图</translation>
+    </message>
+    <message>
+        <source>Left view</source>
+        <translation>左视图</translation>
+    </message>
+    <message>
+        <source>Right view</source>
+        <translation>右视图</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>俯视图</translation>
+    </message>
+    <message>
+        <source>Oblique view</source>
+        <translation>斜视图</translation>
+    </message>
+    <message>
+        <source>Look from further left</source>
+        <translation>视角左移</translation>
+    </message>
+    <message>
+        <source>Look from further right</source>
+        <translation>视角右移</translation>
+    </message>
+    <message>
+        <source>Look from higher up</source>
+        <translation>视角升高</translation>
+    </message>
+    <message>
+        <source>Look from lower down</source>
+        <translation>视角降低</translation>
+    </message>
+    <message>
+        <source>Nearer</source>
+        <translation>拉近</translation>
+    </message>
+    <message>
+        <source>Farther</source>
+        <translation>拉远</translation>
+    </message>
+    <message>
+        <source>Centre the current marker</source>
+        <translation>以当前标记点为中心</translation>
+    </message>
+    <message>
+        <source>Follow the body</source>
+        <translation>跟随人体</translation>
+    </message>
+    <message>
+        <source>Show in 3D</source>
+        <translation>三维显示内容</translation>
+    </message>
+    <message>
+        <source>Marker labels</source>
+        <translation>标记点名称</translation>
+    </message>
+    <message>
+        <source>Trail of the selection</source>
+        <translation>所选标记点的尾迹</translation>
+    </message>
+    <message>
+        <source>Trails of all markers</source>
+        <translation>全部标记点的尾迹</translation>
+    </message>
+    <message>
+        <source>Longer trails</source>
+        <translation>加长尾迹</translation>
+    </message>
+    <message>
+        <source>Shorter trails</source>
+        <translation>缩短尾迹</translation>
+    </message>
+    <message>
+        <source>Sticks</source>
+        <translation>连线</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>节段</translation>
+    </message>
+    <message>
+        <source>Ground grid</source>
+        <translation>地面网格</translation>
+    </message>
+    <message>
+        <source>Force plates</source>
+        <translation>测力台</translation>
+    </message>
+    <message>
+        <source>Before and after the edits</source>
+        <translation>编辑前后对比</translation>
+    </message>
+    <message>
+        <source>Measure the selection</source>
+        <translation>测量所选标记点</translation>
+    </message>
+    <message>
+        <source>Zoom in on the time axis</source>
+        <translation>放大时间轴</translation>
+    </message>
+    <message>
+        <source>Zoom out on the time axis</source>
+        <translation>缩小时间轴</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>整段记录</translation>
+    </message>
+    <message>
+        <source>Zoom to the gap</source>
+        <translation>缩放到缺失段</translation>
+    </message>
+    <message>
+        <source>Zoom to the selected frames</source>
+        <translation>缩放到所选帧</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>下一页</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>上一页</translation>
+    </message>
+    <message>
+        <source>Lanes with most missing first</source>
+        <translation>缺失最多的轨道在前</translation>
+    </message>
+    <message>
+        <source>Go to the timeline</source>
+        <translation>转到时间线</translation>
+    </message>
+    <message>
+        <source>Go to pane</source>
+        <translation>转到窗格</translation>
+    </message>
+    <message>
+        <source>Go to the repairs</source>
+        <translation>转到修复列表</translation>
+    </message>
+    <message>
+        <source>Go to the report</source>
+        <translation>转到报告</translation>
+    </message>
+    <message>
+        <source>Go to the queue</source>
+        <translation>转到队列</translation>
+    </message>
+    <message>
+        <source>Go to the analog channels</source>
+        <translation>转到模拟通道</translation>
+    </message>
+    <message>
+        <source>Go to the history</source>
+        <translation>转到历史</translation>
+    </message>
+    <message>
+        <source>Next recording</source>
+        <translation>下一个记录</translation>
+    </message>
+    <message>
+        <source>Previous recording</source>
+        <translation>上一个记录</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言 (Language)</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>English</translation>
+    </message>
+    <message>
+        <source>中文</source>
+        <translation>中文</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>文字大小</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Save this layout…</source>
+        <translation>保存当前布局…</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Arrange as at first</source>
+        <translation>恢复初始布局</translation>
+    </message>
+    <message>
+        <source>Next set of plots</source>
+        <translation>下一组曲线</translation>
+    </message>
+    <message>
+        <source>Previous set of plots</source>
+        <translation>上一组曲线</translation>
+    </message>
+    <message>
+        <source>Position: x, y and z</source>
+        <translation>位置：x、y 和 z</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Bone length</source>
+        <translation>骨段长度</translation>
+    </message>
+    <message>
+        <source>Next bone of the marker</source>
+        <translation>此标记点的下一个骨段</translation>
+    </message>
+    <message>
+        <source>Same scale for x, y and z</source>
+        <translation>x、y、z 使用相同比例</translation>
+    </message>
+    <message>
+        <source>One set of plots per marker</source>
+        <translation>每个标记点一组曲线</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>Find an action…</source>
+        <translation>查找命令…</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>Show the log file</source>
+        <translation>显示日志文件</translation>
+    </message>
+    <message>
+        <source>About mocapmend</source>
+        <translation>关于 mocapmend</translation>
+    </message>
+</context>
+<context>
+    <name>AnalogPane</name>
+    <message>
+        <source>Filter channels</source>
+        <translation>筛选通道</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>All channels in one plot</source>
+        <translation>所有通道画在一个图中</translation>
+    </message>
+    <message>
+        <source>Analog channels</source>
+        <translation>模拟通道</translation>
+    </message>
+    <message>
+        <source>Reading analog channels</source>
+        <translation>正在读取模拟通道</translation>
+    </message>
+    <message>
+        <source>The analog channels could not be read</source>
+        <translation>无法读取模拟通道</translation>
+    </message>
+    <message>
+        <source>Cancelled: check a channel to read it again</source>
+        <translation>已取消：勾选通道可重新读取</translation>
+    </message>
+</context>
+<context>
+    <name>AnalogPlots</name>
+    <message>
+        <source>Analog plots</source>
+        <translation>模拟通道曲线</translation>
+    </message>
+    <message>
+        <source>Check a channel on the left to see it</source>
+        <translation>在左侧勾选要显示的通道</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>正在读取…</translation>
+    </message>
+    <message>
+        <source>The file&apos;s values of this channel are no numbers</source>
+        <translation>文件中此通道的值不是数字</translation>
+    </message>
+    <message>
+        <source>Frame {0} · {1} s</source>
+        <translation>第 {0} 帧 · {1} s</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+</context>
+<context>
+    <name>BonesPage</name>
+    <message>
+        <source>Length ({0})</source>
+        <translation>长度 ({0})</translation>
+    </message>
+    <message>
+        <source>Bone spread</source>
+        <translation>骨段长度离散度</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>修复前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>修复后</translation>
+    </message>
+    <message>
+        <source>Repaired frames</source>
+        <translation>已修复帧数</translation>
+    </message>
+    <message>
+        <source>Spread of the bone lengths</source>
+        <translation>骨段长度的离散度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the length over its mean</source>
+        <translation>长度的标准差除以平均值</translation>
+    </message>
+    <message>
+        <source>measured (dashed)</source>
+        <translation>测量值（虚线）</translation>
+    </message>
+    <message>
+        <source>repaired (solid)</source>
+        <translation>修复值（实线）</translation>
+    </message>
+</context>
+<context>
+    <name>Callout</name>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>Skip the tour</source>
+        <translation>跳过导览</translation>
+    </message>
+    <message>
+        <source>Esc; Help &gt; Tour shows it again</source>
+        <translation>Esc；可用“帮助 &gt; 导览”再次显示</translation>
+    </message>
+</context>
+<context>
+    <name>CandidateList</name>
+    <message>
+        <source>Key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Repairs of the current gap</source>
+        <translation>当前缺失段的各种修复</translation>
+    </message>
+    <message>
+        <source>Not computed yet</source>
+        <translation>尚未计算</translation>
+    </message>
+    <message>
+        <source>Too little of the recording to test on</source>
+        <translation>记录太短，无法测试</translation>
+    </message>
+    <message>
+        <source>The least expected error of these</source>
+        <translation>其中预期误差最小</translation>
+    </message>
+</context>
+<context>
+    <name>Check</name>
+    <message>
+        <source>Changed marker</source>
+        <translation>更改的标记点</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>首帧</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>末帧</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>Check of {0}</source>
+        <translation>检查 {0}</translation>
+    </message>
+    <message>
+        <source>Original: {0}&lt;br&gt;Copy: {1}</source>
+        <translation>原文件：{0}&lt;br&gt;副本：{1}</translation>
+    </message>
+    <message>
+        <source>These differences are allowed:</source>
+        <translation>以下差异是允许的：</translation>
+    </message>
+    <message>
+        <source>These are not:</source>
+        <translation>以下差异不允许：</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>另有 {0} 项</translation>
+    </message>
+</context>
+<context>
+    <name>Dialogs</name>
+    <message>
+        <source>Something went wrong inside the program. Your recording is unchanged.</source>
+        <translation>程序内部出错。您的记录没有改变。</translation>
+    </message>
+    <message>
+        <source>The log file has the details:</source>
+        <translation>详细信息见日志文件：</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Why it stayed open</source>
+        <translation>未填补的原因</translation>
+    </message>
+    <message>
+        <source>Gaps that stayed open</source>
+        <translation>未填补的缺失段</translation>
+    </message>
+    <message>
+        <source>Double-click a gap to go there</source>
+        <translation>双击缺失段可转到该处</translation>
+    </message>
+</context>
+<context>
+    <name>Documents</name>
+    <message>
+        <source>Open recordings</source>
+        <translation>打开的记录</translation>
+    </message>
+</context>
+<context>
+    <name>EventLane</name>
+    <message>
+        <source>Event without a name</source>
+        <translation>未命名事件</translation>
+    </message>
+    <message>
+        <source>{0} {1}</source>
+        <comment>side, event</comment>
+        <translation>{0} {1}</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
+    <name>FileActions</name>
+    <message>
+        <source>Open recordings</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>{0} is open already.</source>
+        <translation>{0} 已经打开。</translation>
+    </message>
+    <message>
+        <source>Opening {0}</source>
+        <translation>正在打开 {0}</translation>
+    </message>
+    <message>
+        <source>C3D (*.c3d)</source>
+        <translation>C3D (*.c3d)</translation>
+    </message>
+    <message>
+        <source>TRC (*.trc)</source>
+        <translation>TRC (*.trc)</translation>
+    </message>
+    <message>
+        <source>CSV, one line per frame (*.csv)</source>
+        <translation>CSV，每帧一行 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV, one line per sample (*.long.csv)</source>
+        <translation>CSV，每个采样一行 (*.long.csv)</translation>
+    </message>
+    <message>
+        <source>NumPy (*.npz)</source>
+        <translation>NumPy (*.npz)</translation>
+    </message>
+    <message>
+        <source>Export repaired recording</source>
+        <translation>导出修复后的记录</translation>
+    </message>
+    <message>
+        <source>Export a truncated recording?</source>
+        <translation>要导出截断的记录吗？</translation>
+    </message>
+    <message>
+        <source>The file ends before its data do. The copy will be as short as the original.</source>
+        <translation>文件在数据结束之前就中断了。副本将与原文件一样短。</translation>
+    </message>
+    <message>
+        <source>Exporting {0}</source>
+        <translation>正在导出 {0}</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>正在写入报告</translation>
+    </message>
+    <message>
+        <source>Report written to {0}</source>
+        <translation>报告已写入 {0}</translation>
+    </message>
+    <message>
+        <source>{0} has repairs that are not exported yet.</source>
+        <translation>{0} 有尚未导出的修复。</translation>
+    </message>
+    <message>
+        <source>Replace {0}?</source>
+        <translation>要替换 {0} 吗？</translation>
+    </message>
+    <message>
+        <source>There is a file of this name.</source>
+        <translation>已有同名文件。</translation>
+    </message>
+    <message>
+        <source>Recordings ({0})</source>
+        <translation>记录 ({0})</translation>
+    </message>
+    <message>
+        <source>Opened {0}</source>
+        <translation>已打开 {0}</translation>
+    </message>
+    <message>
+        <source>Opened {0}, in which {3} gaps have been repaired before</source>
+        <translation>已打开 {0}，其中 {3} 个缺失段此前已修复</translation>
+    </message>
+    <message>
+        <source>Opened {0}, which is truncated: {1} of {2} frames are there</source>
+        <translation>已打开 {0}，该文件被截断：{2} 帧中只有 {1} 帧</translation>
+    </message>
+    <message>
+        <source>Exported {0} to {1}: {2} repaired samples, read back and compared.</source>
+        <translation>已将 {0} 导出到 {1}：{2} 个修复采样，已回读并比对。</translation>
+    </message>
+    <message>
+        <source>Exported {0} to {1}: {2} samples changed, all else is the same.</source>
+        <translation>已将 {0} 导出到 {1}：{2} 个采样有改变，其余完全相同。</translation>
+    </message>
+    <message>
+        <source>Exported {0} to {1}: the same as the original, byte for byte.</source>
+        <translation>已将 {0} 导出到 {1}：与原文件逐字节相同。</translation>
+    </message>
+    <message>
+        <source>Replace the original recording?</source>
+        <translation>要替换原始记录吗？</translation>
+    </message>
+    <message>
+        <source>{0} is the file that you opened. Its missing samples will be overwritten with the repairs, and the undo history ends here. A new name keeps both.</source>
+        <translation>{0} 就是您打开的文件。其中缺失的采样将被修复值覆盖，撤销历史也到此为止。换一个文件名可以两者都保留。</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+</context>
+<context>
+    <name>Filling</name>
+    <message>
+        <source>Fill all gaps</source>
+        <translation>填补全部缺失段</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was filled.</source>
+        <translation>已取消：没有填补任何缺失段。</translation>
+    </message>
+    <message>
+        <source>{0} gaps filled, {1} left open.</source>
+        <translation>已填补 {0} 个缺失段，{1} 个未填补。</translation>
+    </message>
+</context>
+<context>
+    <name>GapActions</name>
+    <message>
+        <source>No gap is left in the queue.</source>
+        <translation>队列中没有缺失段了。</translation>
+    </message>
+    <message>
+        <source>No gap is left to go to.</source>
+        <translation>没有可以转到的缺失段了。</translation>
+    </message>
+    <message>
+        <source>There is no preview to apply: choose a gap first (N).</source>
+        <translation>没有可应用的预览：请先选择缺失段 (N)。</translation>
+    </message>
+    <message>
+        <source>This method leaves the gap open; choose another (M).</source>
+        <translation>此方法不填补该缺失段；请换一种方法 (M)。</translation>
+    </message>
+    <message>
+        <source>There is no repair here.</source>
+        <translation>此处没有修复。</translation>
+    </message>
+    <message>
+        <source>The gap is open again.</source>
+        <translation>该缺失段已恢复为未填补。</translation>
+    </message>
+    <message>
+        <source>There is no gap here.</source>
+        <translation>此处没有缺失段。</translation>
+    </message>
+    <message>
+        <source>The ends of this gap go no further.</source>
+        <translation>此缺失段的两端不能再移动。</translation>
+    </message>
+    <message>
+        <source>There is no open gap here.</source>
+        <translation>此处没有未填补的缺失段。</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPage</name>
+    <message>
+        <source>Nothing is edited yet. Edits are listed here.</source>
+        <translation>尚无编辑。编辑会列在这里。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>连续段</translation>
+    </message>
+    <message>
+        <source>Samples filled</source>
+        <translation>已填补采样</translation>
+    </message>
+    <message>
+        <source>Samples set missing</source>
+        <translation>设为缺失的采样</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>History of edits</source>
+        <translation>编辑历史</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>已撤销</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>{0} repairs that the file had when it was opened</source>
+        <translation>文件打开时已有的 {0} 处修复</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>此前</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPane</name>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Click a step, or use the arrow keys, to go back or forward to it</source>
+        <translation>点击步骤或使用方向键，可后退或前进到该步骤</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>打开时的状态</translation>
+    </message>
+    <message>
+        <source>{0} (undone)</source>
+        <translation>{0}（已撤销）</translation>
+    </message>
+    <message>
+        <source>{0} ✔ exported</source>
+        <translation>{0} ✔ 已导出</translation>
+    </message>
+</context>
+<context>
+    <name>JobIndicator</name>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>LanePainter</name>
+    <message>
+        <source>Speed ({0}/s)</source>
+        <translation>速度 ({0}/s)</translation>
+    </message>
+    <message>
+        <source>Acceleration ({0}/s²)</source>
+        <translation>加速度 ({0}/s²)</translation>
+    </message>
+    <message>
+        <source>Residual ({0})</source>
+        <translation>残差 ({0})</translation>
+    </message>
+    <message>
+        <source>Length {0} ({1})</source>
+        <translation>长度 {0} ({1})</translation>
+    </message>
+    <message>
+        <source>This file has no residuals</source>
+        <translation>此文件没有残差</translation>
+    </message>
+    <message>
+        <source>Select two markers to see how far they are apart</source>
+        <translation>选择两个标记点可查看它们的距离</translation>
+    </message>
+</context>
+<context>
+    <name>Language</name>
+    <message>
+        <source>The language changes at the next start.</source>
+        <translation>语言将在下次启动时更改。</translation>
+    </message>
+</context>
+<context>
+    <name>Layouts</name>
+    <message>
+        <source>Save this layout</source>
+        <translation>保存当前布局</translation>
+    </message>
+    <message>
+        <source>Name of the layout:</source>
+        <translation>布局名称：</translation>
+    </message>
+    <message>
+        <source>Layout saved: {0}</source>
+        <translation>布局已保存：{0}</translation>
+    </message>
+    <message>
+        <source>The layout {0} is of another version and does not fit: save it anew.</source>
+        <translation>布局 {0} 来自其他版本，不适用：请重新保存。</translation>
+    </message>
+    <message>
+        <source>Layout deleted: {0}</source>
+        <translation>布局已删除：{0}</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
+    <name>LimitsBox</name>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Longest gap in frames</source>
+        <translation>最长缺失段（帧）</translation>
+    </message>
+    <message>
+        <source>expected error</source>
+        <translation>预期误差</translation>
+    </message>
+    <message>
+        <source>Largest expected error in mm</source>
+        <translation>最大预期误差 (mm)</translation>
+    </message>
+    <message>
+        <source> frames ({0} ms)</source>
+        <translation> 帧 ({0} ms)</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>About mocapmend</source>
+        <translation>关于 mocapmend</translation>
+    </message>
+    <message>
+        <source>Inspects and repairs optical motion-capture recordings.</source>
+        <translation>检查并修复光学动作捕捉记录。</translation>
+    </message>
+    <message>
+        <source>{0} markers · {1} frames · {2} Hz · {3} s · {4}</source>
+        <translation>{0} 个标记点 · {1} 帧 · {2} Hz · {3} s · {4}</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>The window closes when the file is written.</source>
+        <translation>文件写完后窗口将关闭。</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerModel</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>缺失段</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>最长</translation>
+    </message>
+    <message>
+        <source>{0}: never seen in this recording</source>
+        <translation>{0}：在此记录中从未出现</translation>
+    </message>
+    <message>
+        <source>{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled</source>
+        <translation>{0}：{1} 个未填补的缺失段，最长 {2} 帧 ({3} ms)，已填补 {4} 个采样</translation>
+    </message>
+    <message>
+        <source>Moves as one with {0}</source>
+        <translation>与 {0} 作为整体运动</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerReportModel</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Missing (%)</source>
+        <translation>缺失 (%)</translation>
+    </message>
+    <message>
+        <source>Frames in which it was missing before, in %</source>
+        <translation>修复前缺失的帧所占百分比</translation>
+    </message>
+    <message>
+        <source>now (%)</source>
+        <translation>现在 (%)</translation>
+    </message>
+    <message>
+        <source>Frames in which it is missing now, in %</source>
+        <translation>现在缺失的帧所占百分比</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>缺失段</translation>
+    </message>
+    <message>
+        <source>Gaps before</source>
+        <translation>修复前的缺失段数</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Gaps now</source>
+        <translation>现在的缺失段数</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>最长</translation>
+    </message>
+    <message>
+        <source>Longest gap before, in frames</source>
+        <translation>修复前最长的缺失段，以帧计</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Longest gap before, in milliseconds</source>
+        <translation>修复前最长的缺失段，以毫秒计</translation>
+    </message>
+    <message>
+        <source>Longest gap now, in frames</source>
+        <translation>现在最长的缺失段，以帧计</translation>
+    </message>
+    <message>
+        <source>Filled</source>
+        <translation>已填补</translation>
+    </message>
+    <message>
+        <source>Samples filled</source>
+        <translation>已填补的采样数</translation>
+    </message>
+    <message>
+        <source>Unfilled</source>
+        <translation>未填补</translation>
+    </message>
+    <message>
+        <source>Samples that are missing now</source>
+        <translation>现在仍缺失的采样数</translation>
+    </message>
+    <message>
+        <source>Filled by (%)</source>
+        <translation>填补方法 (%)</translation>
+    </message>
+    <message>
+        <source>Frames that each method filled, in %</source>
+        <translation>每种方法填补的帧所占百分比</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>误差 (mm)</translation>
+    </message>
+    <message>
+        <source>Largest expected error of its repairs, in mm</source>
+        <translation>其各处修复的最大预期误差 (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerTable</name>
+    <message>
+        <source>Filter markers</source>
+        <translation>筛选标记点</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersPage</name>
+    <message>
+        <source>Markers before and after the repairs</source>
+        <translation>修复前后的标记点</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>Open recent</source>
+        <translation>最近打开</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>窗格</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Gaps</source>
+        <translation>缺失段(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Repair</source>
+        <translation>修复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>P&amp;lots</source>
+        <translation>曲线(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>{0} (gone)</source>
+        <translation>{0}（已不存在）</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>Remove files that are gone</source>
+        <translation>移除已不存在的文件</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>清空列表</translation>
+    </message>
+    <message>
+        <source>None without markers</source>
+        <translation>没有标记点时无窗格</translation>
+    </message>
+</context>
+<context>
+    <name>MethodBox</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+</context>
+<context>
+    <name>Methods</name>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>插值</translation>
+    </message>
+    <message>
+        <source>Donors</source>
+        <translation>参考标记点</translation>
+    </message>
+    <message>
+        <source>Low rank</source>
+        <translation>低秩</translation>
+    </message>
+    <message>
+        <source>Sparse</source>
+        <translation>稀疏</translation>
+    </message>
+    <message>
+        <source>Kalman</source>
+        <translation>卡尔曼</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>常值</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>Cubic spline</source>
+        <translation>三次样条</translation>
+    </message>
+    <message>
+        <source>PCHIP</source>
+        <translation>PCHIP</translation>
+    </message>
+    <message>
+        <source>Woltring, quintic spline</source>
+        <translation>Woltring 五次样条</translation>
+    </message>
+    <message>
+        <source>Cyclic</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>Rigid body</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Local frame regression</source>
+        <translation>局部坐标系回归</translation>
+    </message>
+    <message>
+        <source>Principal components, all gaps at once</source>
+        <translation>主成分，全部缺失段一次处理</translation>
+    </message>
+    <message>
+        <source>Principal components, marker by marker</source>
+        <translation>主成分，逐点</translation>
+    </message>
+    <message>
+        <source>Low-dimensional Kalman smoother</source>
+        <translation>低维卡尔曼平滑</translation>
+    </message>
+    <message>
+        <source>Matrix completion of trajectory segments</source>
+        <translation>轨迹片段矩阵补全</translation>
+    </message>
+    <message>
+        <source>Sparse code of poses</source>
+        <translation>姿态稀疏编码</translation>
+    </message>
+    <message>
+        <source>Sparse code of motion, with bones</source>
+        <translation>运动稀疏编码，保持骨长</translation>
+    </message>
+    <message>
+        <source>Sparse motion bases</source>
+        <translation>稀疏运动基</translation>
+    </message>
+    <message>
+        <source>Kalman, constant velocity</source>
+        <translation>卡尔曼，匀速</translation>
+    </message>
+    <message>
+        <source>Holds the value at one edge of the gap. Right only for a marker that stands still.</source>
+        <translation>保持缺失段一端的值。只适用于静止的标记点。</translation>
+    </message>
+    <message>
+        <source>A straight line between the edges of the gap. It cuts every curve of the motion; good for a few frames.</source>
+        <translation>在缺失段两端之间连直线。会截去运动中的一切弯曲；只适合几帧的缺失。</translation>
+    </message>
+    <message>
+        <source>A smooth curve through the samples on both sides. Good below about 0.2 s; above, it invents motion and may overshoot.</source>
+        <translation>通过两侧采样的光滑曲线。约 0.2 s 以内效果好；更长时会虚构运动，并可能过冲。</translation>
+    </message>
+    <message>
+        <source>A curve that never overshoots the edges of the gap. Safer than the cubic spline on jittery samples, less exact on smooth motion.</source>
+        <translation>不会超出缺失段两端数值的曲线。采样抖动时比三次样条稳妥，运动平滑时则不如它精确。</translation>
+    </message>
+    <message>
+        <source>A quintic spline that first smooths the samples beside the gap, by as much as cross-validation says, so that jitter does not swing it. Measured samples stay as they are. Good below about 0.2 s; above, it invents motion and may overshoot further than the cubic spline.</source>
+        <translation>五次样条，先按交叉验证给出的程度平滑缺失段旁的采样，使其不受抖动影响。测得的采样保持不变。约 0.2 s 以内效果好；更长时会虚构运动，过冲可能比三次样条更大。</translation>
+    </message>
+    <message>
+        <source>For gait, pedalling and other motion in cycles: takes the same phase of the neighbouring cycles and fits it between the edges of the gap. Good for gaps that span much of a cycle, poor where speed or direction change, as in a turn.</source>
+        <translation>用于步态、蹬车等周期性运动：取相邻周期的同一相位，接到缺失段两端之间。适合占周期较大部分的缺失段；速度或方向改变处（如转身）效果差。</translation>
+    </message>
+    <message>
+        <source>Moves the marker with three or more donors that keep their distance to it, such as those of the same segment. Good while that part of the body is stiff; it cannot follow skin and joints.</source>
+        <translation>让标记点跟随三个或更多与其距离保持不变的参考标记点（如同一节段上的）。适合该身体部位为刚性的情况；不能跟随皮肤和关节的运动。</translation>
+    </message>
+    <message>
+        <source>Moves the marker along with one donor. For lack of better donors: it does not turn with the body.</source>
+        <translation>让标记点跟随一个参考标记点平移。用于没有更好的参考标记点时：它不随身体转动。</translation>
+    </message>
+    <message>
+        <source>Learns from this recording how the marker moves beside its donors, in a frame that moves with four of them. Follows skin and joints as far as the donors show them.</source>
+        <translation>在随四个参考标记点运动的坐标系中，从此记录学习该标记点相对参考标记点的运动。参考标记点能体现的皮肤和关节运动都能跟随。</translation>
+    </message>
+    <message>
+        <source>Learns from the complete frames how the markers move together and predicts all markers with gaps at once from those without any (Gløersen and Federolf 2016, R1). For recordings with few gaps; it learns nothing of postures that no complete frame shows.</source>
+        <translation>从完整帧学习标记点的共同运动，再由没有缺失段的标记点同时预测全部有缺失段的标记点（Gløersen 与 Federolf 2016，R1）。适合缺失段少的记录；完整帧中没有出现的姿势无法学到。</translation>
+    </message>
+    <message>
+        <source>Learns how the markers move together and predicts each marker with gaps from those that are seen in them, near ones first (Gløersen and Federolf 2016, R2). Good for gaps up to seconds in repetitive motion; poor where a marker&apos;s neighbours are missing too.</source>
+        <translation>学习标记点的共同运动，再由缺失段内可见的标记点逐个预测有缺失段的标记点，近者优先（Gløersen 与 Federolf 2016，R2）。适合重复性运动中长达数秒的缺失段；相邻标记点也缺失时效果差。</translation>
+    </message>
+    <message>
+        <source>Learns from the complete frames in which few directions the whole body moves, and follows the posture there with a Kalman smoother (Burke and Lasenby 2016). Fast; good for one marker in motion like that of the complete frames, poor where several markers of a segment are missing.</source>
+        <translation>从完整帧学习整个身体运动的少数几个方向，并在其中用卡尔曼平滑器跟踪姿势（Burke 与 Lasenby 2016）。速度快；适合单个标记点缺失且运动与完整帧相似的情况，同一节段多个标记点缺失时效果差。</translation>
+    </message>
+    <message>
+        <source>Completes the trajectories around the gap so that they move in as few directions as possible, near markers counting more (after Tan, Hou and Chau 2013). About as good as the principal components, and often better where several neighbours are missing too; poor where the body turns or moves in the gap as it does nowhere around it.</source>
+        <translation>补全缺失段周围的轨迹，使其运动方向尽可能少，近处的标记点权重更大（参照 Tan、Hou 与 Chau 2013）。与主成分法效果相当，多个相邻标记点也缺失时往往更好；缺失段内身体转动或运动方式在其周围不曾出现时效果差。</translation>
+    </message>
+    <message>
+        <source>Composes each pose from few complete ones, of this recording or of a training set, that agree with it in the markers that are seen, and takes the missing marker from them. Good for long gaps where like poses are known; in motion that comes only once, there is nothing to take from.</source>
+        <translation>用少数几个完整姿态（取自此记录或训练集，在可见标记点上与之一致）组合出每个姿态，并由此得到缺失的标记点。适合已知相似姿态的长缺失段；只出现一次的运动则无从取用。</translation>
+    </message>
+    <message>
+        <source>Composes each stretch of motion from few examples, of this recording or of a training set, and keeps bone lengths (after Wang, Lu, Han 2018). For several neighbouring markers or joints that are missing together; poor where no example is like the motion.</source>
+        <translation>用少数几个样例（取自此记录或训练集）组合出每段运动，并保持骨段长度（参照 Wang、Lu、Han 2018）。适合多个相邻标记点或关节同时缺失；没有相似样例时效果差。</translation>
+    </message>
+    <message>
+        <source>Composes short windows of motion from few examples, part by part and without bones. It is what the sparse code with bones is compared to.</source>
+        <translation>用少数几个样例逐个身体部位组合短窗口内的运动，不考虑骨段。用作保持骨长的稀疏编码的比较对象。</translation>
+    </message>
+    <message>
+        <source>Carries position and velocity into the gap from both sides, relative to the neighbouring markers that are seen, and says how sure it is. Where none are, it looks at one marker alone and cannot know what happened inside a gap much longer than 0.2 s.</source>
+        <translation>相对于可见的相邻标记点，把位置和速度从两侧带入缺失段，并给出其把握程度。没有可见的相邻标记点时只看该标记点自身，远长于 0.2 s 的缺失段内发生了什么便无从得知。</translation>
+    </message>
+    <message>
+        <source>Learns from this very recording how the marker moves with all others that are seen in the gap. Several such fills are tested on hidden stretches like the gap and blended by how well they did; the expected error and the band come from these tests.</source>
+        <translation>从此记录本身学习该标记点与缺失段内所有可见标记点的共同运动。多种填补结果在与缺失段相似的隐藏片段上接受测试，并按表现加权混合；预期误差和置信带由这些测试得出。</translation>
+    </message>
+    <message>
+        <source>Hold the value</source>
+        <translation>保持的值</translation>
+    </message>
+    <message>
+        <source>Which value to hold: that before the gap, that after it, or the nearer one.</source>
+        <translation>保持哪个值：缺失段之前的、之后的，或较近的。</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>之前的</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>之后的</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>最近的</translation>
+    </message>
+    <message>
+        <source>Start and end</source>
+        <translation>开头和结尾</translation>
+    </message>
+    <message>
+        <source>What to do with a gap at the start or the end of the recording: leave it open, or hold the nearest sample over all of it.</source>
+        <translation>如何处理记录开头或结尾的缺失段：不填补，或全程保持最近的采样。</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>不填补</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>填补</translation>
+    </message>
+    <message>
+        <source>Measurement noise</source>
+        <translation>测量噪声</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate: so much is smoothed away before the curve enters the gap; 0 smooths nothing. Automatic: generalised cross-validation.</source>
+        <translation>测量坐标的标准差：曲线进入缺失段之前平滑掉的程度；0 表示不平滑。自动：广义交叉验证。</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>How long a cycle lasts. Automatic: estimated from the marker, or from all markers where this one alone does not repeat itself.</source>
+        <translation>一个周期的时长。自动：由该标记点估计；若它自身不重复，则由全部标记点估计。</translation>
+    </message>
+    <message>
+        <source>What to do with a gap at the start or the end of the recording: leave it open, or repeat the neighbouring cycles there.</source>
+        <translation>如何处理记录开头或结尾的缺失段：不填补，或在该处重复相邻周期。</translation>
+    </message>
+    <message>
+        <source>What to do with a gap at the start or the end of the recording: fill it from the other markers, or leave it open.</source>
+        <translation>如何处理记录开头或结尾的缺失段：由其他标记点填补，或不填补。</translation>
+    </message>
+    <message>
+        <source>Three or more markers of the same rigid part, by their labels, with commas between them. Automatic: chosen for each gap among the markers that are seen throughout it.</source>
+        <translation>同一刚性部位上的三个或更多标记点（即 donors，用来推算缺失标记点），填写其名称，以逗号分隔。自动：为每个缺失段从全程可见的标记点中选取。</translation>
+    </message>
+    <message>
+        <source>A marker that moves like this one, or several, by their labels, with commas between them. Automatic: chosen for each gap among the markers that are seen throughout it.</source>
+        <translation>与此标记点运动相似的一个或几个标记点（即 donors），填写其名称，以逗号分隔。自动：为每个缺失段从全程可见的标记点中选取。</translation>
+    </message>
+    <message>
+        <source>Markers that move with this one, by their labels, with commas between them. Automatic: chosen for each gap among the markers that are seen throughout it.</source>
+        <translation>与此标记点一起运动的标记点（即 donors），填写其名称，以逗号分隔。自动：为每个缺失段从全程可见的标记点中选取。</translation>
+    </message>
+    <message>
+        <source>Penalty</source>
+        <translation>惩罚</translation>
+    </message>
+    <message>
+        <source>Of large coefficients, relative to how much the donors move: more is stiffer.</source>
+        <translation>对大系数的惩罚，相对于参考标记点的运动幅度：越大越刚硬。</translation>
+    </message>
+    <message>
+        <source>Meet the edges</source>
+        <translation>衔接两端</translation>
+    </message>
+    <message>
+        <source>Carry what the model leaves over at the edges of the gap into it. Off: as printed.</source>
+        <translation>把模型在缺失段两端的偏差带入缺失段内加以修正。关闭：按论文原样。</translation>
+    </message>
+    <message>
+        <source>Distance scale</source>
+        <translation>距离尺度</translation>
+    </message>
+    <message>
+        <source>Markers much farther away than this from the missing one hardly count.</source>
+        <translation>与缺失标记点的距离远大于此值的标记点几乎不计。</translation>
+    </message>
+    <message>
+        <source>Weight of the missing marker</source>
+        <translation>缺失标记点的权重</translation>
+    </message>
+    <message>
+        <source>How much the missing marker itself shapes the components, 1 = as much as a marker at its place.</source>
+        <translation>缺失标记点自身对主成分的影响，1 = 与处于其位置的标记点相同。</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>主成分</translation>
+    </message>
+    <message>
+        <source>Share of the sum of the singular values that the components kept make up.</source>
+        <translation>所保留的主成分占奇异值总和的比例。</translation>
+    </message>
+    <message>
+        <source>Near markers</source>
+        <translation>近邻标记点</translation>
+    </message>
+    <message>
+        <source>Markers with gaps of their own help only if they are nearer than this share of the mean distance of all markers.</source>
+        <translation>自身有缺失段的标记点，只有在距离小于全部标记点平均距离的这一比例时才参与。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate. More noise gives smoother postures.</source>
+        <translation>测量坐标的标准差。噪声越大，姿势越平滑。</translation>
+    </message>
+    <message>
+        <source>Segments around the gap</source>
+        <translation>缺失段周围的片段</translation>
+    </message>
+    <message>
+        <source>How much of the trajectories before and after the gap is looked at, at least as much as the gap is long.</source>
+        <translation>查看缺失段前后多长的轨迹，至少与缺失段等长。</translation>
+    </message>
+    <message>
+        <source>Markers much farther away than this from the missing ones hardly count.</source>
+        <translation>与各缺失标记点的距离远大于此值的标记点几乎不计。</translation>
+    </message>
+    <message>
+        <source>Weight of the missing markers</source>
+        <translation>缺失标记点的权重</translation>
+    </message>
+    <message>
+        <source>How much the missing markers themselves shape the matrix, 1 = as much as a marker at their place.</source>
+        <translation>缺失标记点自身对矩阵的影响，1 = 与处于其位置的标记点相同。</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Singular values below this share of the largest one are taken for noise.</source>
+        <translation>小于最大奇异值这一比例的奇异值视为噪声。</translation>
+    </message>
+    <message>
+        <source>Learn from</source>
+        <translation>学习来源</translation>
+    </message>
+    <message>
+        <source>Poses to tell this recording&apos;s by, in place of its own complete frames.</source>
+        <translation>用来推断此记录姿态的姿态集，代替其自身的完整帧。</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>姿态数</translation>
+    </message>
+    <message>
+        <source>At most so many known poses, evenly spread, make up the dictionary.</source>
+        <translation>字典最多由这么多个均匀分布的已知姿态组成。</translation>
+    </message>
+    <message>
+        <source>The larger, the fewer known poses a pose is made of, and the nearer to the mean pose it is.</source>
+        <translation>越大，组成一个姿态的已知姿态越少，且越接近平均姿态。</translation>
+    </message>
+    <message>
+        <source>Markers much farther away than this from the missing one hardly count. As printed, all count alike: 100000 mm.</source>
+        <translation>与缺失标记点的距离远大于此值的标记点几乎不计。论文原样为全部等同：100000 mm。</translation>
+    </message>
+    <message>
+        <source>Relative to</source>
+        <translation>相对于</translation>
+    </message>
+    <message>
+        <source>What poses are compared by: body = wherever it is and faces, place = wherever it is, world = nothing is taken out, as printed.</source>
+        <translation>姿态的比较基准：身体 = 去除位置和朝向，位置 = 去除位置，世界 = 什么都不去除（论文原样）。</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>身体</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>Mean pose taken out</source>
+        <translation>去除平均姿态</translation>
+    </message>
+    <message>
+        <source>Code what differs from the mean pose. Off: as printed.</source>
+        <translation>对与平均姿态的差异进行编码。关闭：按论文原样。</translation>
+    </message>
+    <message>
+        <source>Recordings to learn from beside this one. By default it learns from this one alone.</source>
+        <translation>除此记录外另用来学习的记录。默认只从此记录学习。</translation>
+    </message>
+    <message>
+        <source>Atoms</source>
+        <translation>原子数</translation>
+    </message>
+    <message>
+        <source>Examples of motion in the dictionary. Automatic: up to 150 of the recording, or 600 with a training set.</source>
+        <translation>字典中的运动样例数。自动：取自此记录最多 150 个，使用训练集时 600 个。</translation>
+    </message>
+    <message>
+        <source>The larger, the fewer examples a window is made of.</source>
+        <translation>越大，组成一个窗口的样例越少。</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>字典</translation>
+    </message>
+    <message>
+        <source>Examples: stretches of motion as they are. Trained: the dictionaries of the five parts of a skeleton that a training set has, as printed in the paper; less exact.</source>
+        <translation>样例：原样的运动片段。训练：训练集所含的骨架五个部位的字典，与论文相同；精度较低。</translation>
+    </message>
+    <message>
+        <source>examples</source>
+        <translation>样例</translation>
+    </message>
+    <message>
+        <source>trained</source>
+        <translation>训练</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>The stretch of motion that is coded as one: six frames spread over it. Automatic: 330 ms, or 600 ms with a training set.</source>
+        <translation>作为一个整体编码的运动片段：其中均匀取六帧。自动：330 ms，使用训练集时 600 ms。</translation>
+    </message>
+    <message>
+        <source>Keep bone lengths</source>
+        <translation>保持骨段长度</translation>
+    </message>
+    <message>
+        <source>The bones of a skeleton get their exact lengths; markers on skin are pulled towards theirs as far as these are sure.</source>
+        <translation>骨架的骨段取其精确长度；皮肤上的标记点按其长度的确定程度向该长度靠拢。</translation>
+    </message>
+    <message>
+        <source>Parts of the body</source>
+        <translation>身体部位</translation>
+    </message>
+    <message>
+        <source>Tell each part of the body from itself, the trunk and one more part. Off: from all.</source>
+        <translation>由部位自身、躯干和另一个部位推断每个身体部位。关闭：由全部部位推断。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Two-sided uses the samples before and after the gap; causal only those before, as a live system must.</source>
+        <translation>双向使用缺失段前后的采样；因果只用之前的，如实时系统那样。</translation>
+    </message>
+    <message>
+        <source>two-sided</source>
+        <translation>双向</translation>
+    </message>
+    <message>
+        <source>causal</source>
+        <translation>因果</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Local: the common rigid motion of the neighbouring markers is taken out first; where fewer than three keep their distance and are seen all along, the world frame is used. World: as printed in the paper.</source>
+        <translation>局部：先去除相邻标记点的共同刚体运动；若距离不变且全程可见的标记点少于三个，则用世界坐标系。世界：与论文相同。</translation>
+    </message>
+    <message>
+        <source>local</source>
+        <translation>局部</translation>
+    </message>
+    <message>
+        <source>Local frame only: the labels of the markers whose common motion is taken out; one or two are followed without their rotation. Automatic: the four that keep their distance to the marker best.</source>
+        <translation>仅用于局部坐标系：去除其共同运动的标记点（即 donors）的名称；只有一两个时跟随其平移而不计转动。自动：与该标记点距离最稳定的四个。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate. More noise means that more samples beside the gap share in its velocity. Automatic: chosen by self-tests for each gap.</source>
+        <translation>测量坐标的标准差。噪声越大，缺失段旁参与估计速度的采样越多。自动：由自测试为每个缺失段选取。</translation>
+    </message>
+    <message>
+        <source>Velocity interval</source>
+        <translation>速度区间</translation>
+    </message>
+    <message>
+        <source>Causal only: the fixed interval over which the velocity is taken; 0 takes it between consecutive frames. Automatic: chosen by self-tests for each gap.</source>
+        <translation>仅用于因果：计算速度的固定区间；0 表示取相邻两帧之间。自动：由自测试为每个缺失段选取。</translation>
+    </message>
+    <message>
+        <source>Jump</source>
+        <translation>跳变</translation>
+    </message>
+    <message>
+        <source>A marker that moves further between two frames was lost or is wrong there, and its samples beside such a jump are not trusted. A large number switches this off. Automatic: estimated from the motion of each marker.</source>
+        <translation>两帧之间移动超过此值的标记点在该处已丢失或有误，跳变旁的采样不予采信。填大数可关闭此项。自动：由各标记点的运动估计。</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>门限</translation>
+    </message>
+    <message>
+        <source>A single sample beside the gap is not trusted if it lies more than this many standard deviations from what the filter makes of the others. A large number switches this off.</source>
+        <translation>缺失段旁的单个采样若与滤波器由其他采样得出的值相差超过这么多个标准差，则不予采信。填大数可关闭此项。</translation>
+    </message>
+    <message>
+        <source>Pull to bone lengths</source>
+        <translation>拉向骨段长度</translation>
+    </message>
+    <message>
+        <source>Moves the predicted points towards the lengths of the bones to up to four markers at a nearly constant distance, as far as the filter is unsure and the lengths are not.</source>
+        <translation>使预测点与最多四个距离近乎不变的标记点之间的骨段趋于其长度；滤波器越不确定、长度越确定，修正越大。</translation>
+    </message>
+    <message>
+        <source>Recordings to learn from beside this one. Windows of motion that are coded by them, as in bone-dictionary, become part of the blend as far as tests speak for it; bones of a skeleton get their exact lengths. This takes seconds a gap.</source>
+        <translation>除此记录外另用来学习的记录。用其编码的运动窗口（同 bone-dictionary）在测试支持时参与混合；骨架的骨段取其精确长度。每个缺失段需数秒。</translation>
+    </message>
+</context>
+<context>
+    <name>MethodsPage</name>
+    <message>
+        <source>Methods paragraph</source>
+        <translation>方法段落</translation>
+    </message>
+    <message>
+        <source>Being computed…</source>
+        <translation>正在计算…</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the methods paragraph</source>
+        <translation>复制方法段落</translation>
+    </message>
+    <message>
+        <source>Ready to paste into a paper, in English.</source>
+        <translation>可直接粘贴到论文中（英文）。</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>已复制。</translation>
+    </message>
+</context>
+<context>
+    <name>NamesEdit</name>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>◀ selected</source>
+        <translation>◀ 所选</translation>
+    </message>
+    <message>
+        <source>Take the selected markers</source>
+        <translation>取用所选标记点</translation>
+    </message>
+    <message>
+        <source>Take the selected markers: {0}</source>
+        <translation>取用所选标记点：{0}</translation>
+    </message>
+    <message>
+        <source>To take markers, Ctrl+click them in the list.</source>
+        <translation>要取用标记点，请在列表中按住 Ctrl 点击。</translation>
+    </message>
+</context>
+<context>
+    <name>NotesBar</name>
+    <message>
+        <source>1 note on this file</source>
+        <translation>此文件有 1 条说明</translation>
+    </message>
+    <message>
+        <source>{0} notes on this file</source>
+        <translation>此文件有 {0} 条说明</translation>
+    </message>
+    <message>
+        <source>What was odd in this file, and what was assumed:</source>
+        <translation>此文件的异常之处，以及所作的假设：</translation>
+    </message>
+</context>
+<context>
+    <name>Overview</name>
+    <message>
+        <source>Overview</source>
+        <translation>总览</translation>
+    </message>
+    <message>
+        <source>Overview of the whole recording</source>
+        <translation>整段记录的总览</translation>
+    </message>
+    <message>
+        <source>Drag the window or its ends; click to go there.</source>
+        <translation>拖动窗口或其两端；点击可转到该处。</translation>
+    </message>
+    <message>
+        <source>Frames {0} to {1}: {2} % of the samples are missing</source>
+        <translation>第 {0} 至 {1} 帧：{2} % 的采样缺失</translation>
+    </message>
+</context>
+<context>
+    <name>Palette</name>
+    <message>
+        <source>Find an action</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Type what to do: an action, a pane, a recent file</source>
+        <translation>输入要做什么：命令、窗格或最近的文件</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>要做什么</translation>
+    </message>
+    <message>
+        <source>What fits</source>
+        <translation>匹配项</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing fits. Fewer letters find more.</source>
+        <translation>没有匹配项。少输入几个字可找到更多。</translation>
+    </message>
+    <message>
+        <source>Enter does it, Escape closes.</source>
+        <translation>回车键执行，Esc 键关闭。</translation>
+    </message>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>请先打开一个记录。</translation>
+    </message>
+    <message>
+        <source>Only C3D recordings can be checked.</source>
+        <translation>只能检查 C3D 记录。</translation>
+    </message>
+    <message>
+        <source>Only one recording is open.</source>
+        <translation>只打开了一个记录。</translation>
+    </message>
+    <message>
+        <source>This recording has no markers.</source>
+        <translation>此记录没有标记点。</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>没有可撤销的操作。</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>没有可重做的操作。</translation>
+    </message>
+    <message>
+        <source>This is not possible now.</source>
+        <translation>现在无法执行。</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>窗格</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Recent file</source>
+        <translation>最近的文件</translation>
+    </message>
+    <message>
+        <source>This file is gone: {0}</source>
+        <translation>此文件已不存在：{0}</translation>
+    </message>
+</context>
+<context>
+    <name>ParamsForm</name>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>PlanModel</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>预期误差</translation>
+    </message>
+    <message>
+        <source>What would be done</source>
+        <translation>将如何处理</translation>
+    </message>
+    <message>
+        <source>{0} ({1} ms)</source>
+        <translation>{0} ({1} ms)</translation>
+    </message>
+    <message>
+        <source>… not computed yet</source>
+        <translation>… 尚未计算</translation>
+    </message>
+    <message>
+        <source>✔ filled</source>
+        <translation>✔ 填补</translation>
+    </message>
+    <message>
+        <source>○ stays open: {0}</source>
+        <translation>○ 不填补：{0}</translation>
+    </message>
+</context>
+<context>
+    <name>PlanPane</name>
+    <message>
+        <source>Which gaps are listed</source>
+        <translation>列出哪些缺失段</translation>
+    </message>
+    <message>
+        <source>All gaps</source>
+        <translation>全部缺失段</translation>
+    </message>
+    <message>
+        <source>Would be filled</source>
+        <translation>将填补的</translation>
+    </message>
+    <message>
+        <source>Would stay open</source>
+        <translation>不填补的</translation>
+    </message>
+    <message>
+        <source>By {0}: {1} gaps ({2} samples) would be filled, {3} would stay open.</source>
+        <translation>用“{0}”：将填补 {1} 个缺失段（{2} 个采样），{3} 个不填补。</translation>
+    </message>
+    <message>
+        <source>{0} are not computed yet.</source>
+        <translation>{0} 个尚未计算。</translation>
+    </message>
+    <message>
+        <source>Fill plan</source>
+        <translation>填补计划</translation>
+    </message>
+    <message>
+        <source>Double-click a gap, or press Enter, to go there</source>
+        <translation>双击缺失段或按回车键可转到该处</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>Fill all</source>
+        <translation>全部填补</translation>
+    </message>
+    <message>
+        <source>Save plan…</source>
+        <translation>保存计划…</translation>
+    </message>
+    <message>
+        <source>Load plan…</source>
+        <translation>载入计划…</translation>
+    </message>
+</context>
+<context>
+    <name>PlotCanvas</name>
+    <message>
+        <source>+{0} more</source>
+        <translation>另有 {0} 个</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>Bone</source>
+        <translation>骨段</translation>
+    </message>
+    <message>
+        <source>The two markers whose distance is plotted (B for the next)</source>
+        <translation>绘制其间距的两个标记点（B 键换下一对）</translation>
+    </message>
+    <message>
+        <source>no bone here</source>
+        <translation>此处无骨段</translation>
+    </message>
+    <message>
+        <source>XYZ</source>
+        <translation>XYZ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Accel.</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>1:1</source>
+        <translation>1:1</translation>
+    </message>
+</context>
+<context>
+    <name>Previewer</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+</context>
+<context>
+    <name>ProofActions</name>
+    <message>
+        <source>Save recipe</source>
+        <translation>保存修复方案</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>修复方案 (*.json)</translation>
+    </message>
+    <message>
+        <source>Writing the recipe</source>
+        <translation>正在写入修复方案</translation>
+    </message>
+    <message>
+        <source>Recipe written to {0}</source>
+        <translation>修复方案已写入 {0}</translation>
+    </message>
+    <message>
+        <source>Replay recipe</source>
+        <translation>重放修复方案</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>修复方案 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Replaying {0}</source>
+        <translation>正在重放 {0}</translation>
+    </message>
+    <message>
+        <source>Save plan</source>
+        <translation>保存计划</translation>
+    </message>
+    <message>
+        <source>Plans (*.json)</source>
+        <translation>计划 (*.json)</translation>
+    </message>
+    <message>
+        <source>Plan written to {0}</source>
+        <translation>计划已写入 {0}</translation>
+    </message>
+    <message>
+        <source>Load plan</source>
+        <translation>载入计划</translation>
+    </message>
+    <message>
+        <source>Plans (*.json);;All files (*)</source>
+        <translation>计划 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Check a repaired copy</source>
+        <translation>检查修复副本</translation>
+    </message>
+    <message>
+        <source>C3D recordings (*.c3d *.C3D);;All files (*)</source>
+        <translation>C3D 记录 (*.c3d *.C3D);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Checking {0}</source>
+        <translation>正在检查 {0}</translation>
+    </message>
+    <message>
+        <source>The recording was edited meanwhile: replay again.</source>
+        <translation>记录在此期间被编辑过：请重新重放。</translation>
+    </message>
+    <message>
+        <source>The recipe has nothing to do here.</source>
+        <translation>该修复方案在此处没有可做的操作。</translation>
+    </message>
+    <message>
+        <source>{0} edits made again.</source>
+        <translation>已重做 {0} 项编辑。</translation>
+    </message>
+    <message>
+        <source>{0} edits made again, by a recipe that was made for another file.</source>
+        <translation>已重做 {0} 项编辑，所用的修复方案是为另一个文件制作的。</translation>
+    </message>
+</context>
+<context>
+    <name>QueueModel</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Harm</source>
+        <translation>危害</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>周围</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>What has become of the gap</source>
+        <translation>缺失段的处理状态</translation>
+    </message>
+    <message>
+        <source>Missing frames</source>
+        <translation>缺失的帧数</translation>
+    </message>
+    <message>
+        <source>Expected error of the best repair that was tried, in mm</source>
+        <translation>已尝试的最佳修复的预期误差 (mm)</translation>
+    </message>
+    <message>
+        <source>Expected error times missing frames: what comes first is worst</source>
+        <translation>预期误差乘以缺失帧数：排在最前的最严重</translation>
+    </message>
+    <message>
+        <source>The method with the least expected error</source>
+        <translation>预期误差最小的方法</translation>
+    </message>
+    <message>
+        <source>Where the gap lies, and how many other markers are missing in its middle</source>
+        <translation>缺失段的位置，以及其中点处还有多少其他标记点缺失</translation>
+    </message>
+    <message>
+        <source>First and last missing frame</source>
+        <translation>缺失的首帧和末帧</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>未填补</translation>
+    </message>
+    <message>
+        <source>left open</source>
+        <translation>保留未填</translation>
+    </message>
+    <message>
+        <source>repaired</source>
+        <translation>已修复</translation>
+    </message>
+    <message>
+        <source>never to be filled</source>
+        <translation>永不填补</translation>
+    </message>
+    <message>
+        <source>start, {0} more missing</source>
+        <translation>开头，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>end, {0} more missing</source>
+        <translation>结尾，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>inside, {0} more missing</source>
+        <translation>中间，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>{0}, frames {1} to {2}: {3}</source>
+        <translation>{0}，第 {1} 至 {2} 帧：{3}</translation>
+    </message>
+    <message>
+        <source>No repair that was tried could be tested here</source>
+        <translation>已尝试的修复在此处都无法测试</translation>
+    </message>
+</context>
+<context>
+    <name>QueuePane</name>
+    <message>
+        <source>Filter markers</source>
+        <translation>筛选标记点</translation>
+    </message>
+    <message>
+        <source>Filter the queue by marker</source>
+        <translation>按标记点筛选队列</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Length of the gaps</source>
+        <translation>缺失段的长度</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>排序</translation>
+    </message>
+    <message>
+        <source>Try repairs on all gaps in the background, so that the worst come first</source>
+        <translation>在后台对全部缺失段试行修复，使最严重的排在最前</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>未填补</translation>
+    </message>
+    <message>
+        <source>Left open</source>
+        <translation>保留未填</translation>
+    </message>
+    <message>
+        <source>Repaired</source>
+        <translation>已修复</translation>
+    </message>
+    <message>
+        <source>Never to be filled</source>
+        <translation>永不填补</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Any length</source>
+        <translation>任意长度</translation>
+    </message>
+    <message>
+        <source>Up to 0.2 s</source>
+        <translation>0.2 s 以内</translation>
+    </message>
+    <message>
+        <source>0.2 to 1 s</source>
+        <translation>0.2 至 1 s</translation>
+    </message>
+    <message>
+        <source>Above 1 s</source>
+        <translation>1 s 以上</translation>
+    </message>
+    <message>
+        <source>Queue of gaps</source>
+        <translation>缺失段队列</translation>
+    </message>
+    <message>
+        <source>inside, {0} more missing</source>
+        <translation>中间，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>No gap passes the filter.</source>
+        <translation>没有符合筛选条件的缺失段。</translation>
+    </message>
+    <message>
+        <source>No marker is missing anywhere: there is nothing to fill.</source>
+        <translation>没有标记点缺失：无需填补。</translation>
+    </message>
+    <message>
+        <source>{0} gaps · ranked {1} of {2}</source>
+        <translation>{0} 个缺失段 · 已排序 {1} / {2}</translation>
+    </message>
+    <message>
+        <source>{0} gaps</source>
+        <translation>{0} 个缺失段</translation>
+    </message>
+</context>
+<context>
+    <name>RecentFiles</name>
+    <message>
+        <source>Looking for recent files</source>
+        <translation>正在查找最近的文件</translation>
+    </message>
+</context>
+<context>
+    <name>Recovery</name>
+    <message>
+        <source>Looking for edits to recover</source>
+        <translation>正在查找可恢复的编辑</translation>
+    </message>
+    <message>
+        <source>Recovered 1 edit of {1}</source>
+        <translation>已恢复 {1} 的 1 项编辑</translation>
+    </message>
+    <message>
+        <source>Recovered {0} edits of {1}</source>
+        <translation>已恢复 {1} 的 {0} 项编辑</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryDialog</name>
+    <message>
+        <source>Recover edits</source>
+        <translation>恢复编辑</translation>
+    </message>
+    <message>
+        <source>The program ended before these edits were exported. Recover opens the recording with the edits, which can still be undone; the file itself is not changed.</source>
+        <translation>程序在导出这些编辑之前就结束了。“恢复”会打开记录并带上这些编辑，编辑仍可撤销；文件本身不会改变。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Recover all</source>
+        <translation>全部恢复</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>以后再说</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Edits</source>
+        <translation>编辑数</translation>
+    </message>
+    <message>
+        <source>Last edit</source>
+        <translation>最后编辑</translation>
+    </message>
+    <message>
+        <source>Recordings with edits that can be recovered</source>
+        <translation>有可恢复编辑的记录</translation>
+    </message>
+</context>
+<context>
+    <name>RepairModel</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>预期误差</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Donors</source>
+        <translation>参考标记点</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>此前</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>{0}: click to go there, Del turns the repair back into a gap</source>
+        <translation>{0}：点击可转到该处，Del 键将修复还原为缺失段</translation>
+    </message>
+    <message>
+        <source>Computed from {0}</source>
+        <translation>由 {0} 计算得出</translation>
+    </message>
+</context>
+<context>
+    <name>RepairPanel</name>
+    <message>
+        <source>Current gap</source>
+        <translation>当前缺失段</translation>
+    </message>
+    <message>
+        <source>◀ Previous</source>
+        <translation>◀ 上一个</translation>
+    </message>
+    <message>
+        <source>Next ▶</source>
+        <translation>下一个 ▶</translation>
+    </message>
+    <message>
+        <source>Root mean square of the 3-D error, and the radius that holds 90 % of the errors, on stretches of this recording that were hidden for the test.</source>
+        <translation>三维误差的均方根，以及包含 90 % 误差的半径；在此记录中为测试而隐藏的片段上测得。</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Reopen the gap</source>
+        <translation>还原缺失段</translation>
+    </message>
+    <message>
+        <source>All gaps, with this method</source>
+        <translation>用此方法处理全部缺失段</translation>
+    </message>
+    <message>
+        <source>Show what stayed open…</source>
+        <translation>显示未填补的…</translation>
+    </message>
+    <message>
+        <source>Fill all</source>
+        <translation>全部填补</translation>
+    </message>
+    <message>
+        <source>Plan…</source>
+        <translation>计划…</translation>
+    </message>
+    <message>
+        <source>No marker is missing anywhere: there is nothing to fill.</source>
+        <translation>没有标记点缺失：无需填补。</translation>
+    </message>
+    <message>
+        <source>Press N for the next gap, or click one on the timeline.</source>
+        <translation>按 N 转到下一个缺失段，或在时间线上点击一个。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Never to be filled.&lt;/b&gt; Shift+X makes it a gap again.</source>
+        <translation>&lt;b&gt;永不填补。&lt;/b&gt;按 Shift+X 可恢复为缺失段。</translation>
+    </message>
+    <message>
+        <source>Repaired with &lt;b&gt;{0}&lt;/b&gt;</source>
+        <translation>已用&lt;b&gt;{0}&lt;/b&gt;修复</translation>
+    </message>
+    <message>
+        <source>Computing the preview…</source>
+        <translation>正在计算预览…</translation>
+    </message>
+    <message>
+        <source>{0} open gaps</source>
+        <translation>{0} 个未填补的缺失段</translation>
+    </message>
+    <message>
+        <source>, at the start</source>
+        <translation>，在开头</translation>
+    </message>
+    <message>
+        <source>, at the end</source>
+        <translation>，在结尾</translation>
+    </message>
+    <message>
+        <source>, never seen</source>
+        <translation>，从未出现</translation>
+    </message>
+    <message>
+        <source>frame {0}
+1 frame</source>
+        <translation>第 {0} 帧
+1 帧</translation>
+    </message>
+    <message>
+        <source>frames {0} to {1}
+{2} frames</source>
+        <translation>第 {0} 至 {1} 帧
+{2} 帧</translation>
+    </message>
+    <message>
+        <source>{0}: {1} ({2} ms){3}</source>
+        <translation>{0}：{1} ({2} ms){3}</translation>
+    </message>
+    <message>
+        <source>{0} + {1} measured frames at its ends cut off</source>
+        <translation>两端切除了 {0} + {1} 个测量帧</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Stays open:&lt;/b&gt; {0}</source>
+        <translation>&lt;b&gt;不填补：&lt;/b&gt;{0}</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;⚠ Above the limit of {0} mm&lt;/b&gt;</source>
+        <translation>&lt;b&gt;⚠ 超过限值 {0} mm&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>A cubic spline: the other markers say less about this gap.</source>
+        <translation>三次样条：其他标记点对此缺失段的提示更少。</translation>
+    </message>
+    <message>
+        <source>all markers</source>
+        <translation>全部标记点</translation>
+    </message>
+    <message>
+        <source>this marker</source>
+        <translation>此标记点</translation>
+    </message>
+    <message>
+        <source>Measured on {0} hidden stretches of {1}.</source>
+        <translation>在{1}的 {0} 个隐藏片段上测得。</translation>
+    </message>
+    <message>
+        <source>Expected error &lt;b&gt;unknown&lt;/b&gt;: too little of the recording to test on</source>
+        <translation>预期误差&lt;b&gt;未知&lt;/b&gt;：记录太短，无法测试</translation>
+    </message>
+    <message>
+        <source>Expected error &lt;b&gt;{0} mm&lt;/b&gt;</source>
+        <translation>预期误差 &lt;b&gt;{0} mm&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>, 90 % within {0} mm</source>
+        <translation>，90 % 在 {0} mm 内</translation>
+    </message>
+    <message>
+        <source>Donors: {0}</source>
+        <translation>参考标记点：{0}</translation>
+    </message>
+</context>
+<context>
+    <name>RepairTable</name>
+    <message>
+        <source>Nothing is repaired yet. Repairs are listed here.</source>
+        <translation>尚无修复。修复会列在这里。</translation>
+    </message>
+    <message>
+        <source>Repairs</source>
+        <translation>修复列表</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>此前</translation>
+    </message>
+</context>
+<context>
+    <name>ReportPane</name>
+    <message>
+        <source>Tracking</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>骨段</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Check a copy…</source>
+        <translation>检查副本…</translation>
+    </message>
+    <message>
+        <source>Pages of the report</source>
+        <translation>报告页</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Wheelchair sprint, many gaps</source>
+        <translation>轮椅冲刺，缺失段很多</translation>
+    </message>
+    <message>
+        <source>Gait, Plug-in Gait, with fragments</source>
+        <translation>步态，Plug-in Gait，有零碎片段</translation>
+    </message>
+    <message>
+        <source>Walk, 41 markers, complete</source>
+        <translation>行走，41 个标记点，完整</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>segment {0}</source>
+        <translation>节段 {0}</translation>
+    </message>
+    <message>
+        <source>Before and after: no edits in this frame</source>
+        <translation>编辑前后：此帧没有编辑</translation>
+    </message>
+    <message>
+        <source>Before and after: {0} filled, {1} moved, {2} removed</source>
+        <translation>编辑前后：填补 {0}，移动 {1}，删除 {2}</translation>
+    </message>
+    <message>
+        <source>Measure: select two markers for a distance, three for an angle</source>
+        <translation>测量：选两个标记点量距离，选三个量角度</translation>
+    </message>
+    <message>
+        <source>{0}: missing here ({1})</source>
+        <translation>{0}：此处缺失 ({1})</translation>
+    </message>
+    <message>
+        <source>{0}: no angle, two of them are at one place</source>
+        <translation>{0}：没有角度，其中两个在同一位置</translation>
+    </message>
+    <message>
+        <source>{0}: {1} (not measured: {2})</source>
+        <translation>{0}：{1}（非测量值：{2}）</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+</context>
+<context>
+    <name>ScenePicture</name>
+    <message>
+        <source>3D marker view</source>
+        <translation>标记点三维视图</translation>
+    </message>
+    <message>
+        <source>Segments: none are known for this recording</source>
+        <translation>节段：此记录没有已知的节段</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>The files are the same, byte for byte.</source>
+        <translation>两个文件逐字节相同。</translation>
+    </message>
+    <message>
+        <source>Check passed: {0} changed; but for the differences that are allowed, all else is the same.</source>
+        <translation>检查通过：更改了 {0}；除允许的差异外，其余完全相同。</translation>
+    </message>
+    <message>
+        <source>Check passed: {0} changed; all else is the same, byte for byte.</source>
+        <translation>检查通过：更改了 {0}；其余逐字节相同。</translation>
+    </message>
+    <message>
+        <source>Check failed: {0} changed, and there is more: {1}.</source>
+        <translation>检查未通过：更改了 {0}，此外还有：{1}。</translation>
+    </message>
+    <message>
+        <source>1 marker sample in 1 run</source>
+        <translation>1 个连续段中的 1 个标记点采样</translation>
+    </message>
+    <message>
+        <source>{0} marker samples in 1 run</source>
+        <translation>1 个连续段中的 {0} 个标记点采样</translation>
+    </message>
+    <message>
+        <source>{0} marker samples in {1} runs</source>
+        <translation>{1} 个连续段中的 {0} 个标记点采样</translation>
+    </message>
+    <message>
+        <source>0 marker samples</source>
+        <translation>0 个标记点采样</translation>
+    </message>
+    <message>
+        <source>1 other difference</source>
+        <translation>1 处其他差异</translation>
+    </message>
+    <message>
+        <source>{0} other differences</source>
+        <translation>{0} 处其他差异</translation>
+    </message>
+    <message>
+        <source>The sizes differ: {0} and {1} bytes.</source>
+        <translation>大小不同：{0} 与 {1} 字节。</translation>
+    </message>
+    <message>
+        <source>The repair record names another original.</source>
+        <translation>修复记录指向另一个原文件。</translation>
+    </message>
+    <message>
+        <source>Integers became floats, and no repair record says so.</source>
+        <translation>整数变成了浮点数，而修复记录没有说明。</translation>
+    </message>
+    <message>
+        <source>{0} measured sample at the ends of repaired gaps were replaced; the repair record lists them.</source>
+        <translation>已修复缺失段两端的 {0} 个测量采样被替换；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured samples at the ends of repaired gaps were replaced; the repair record lists them.</source>
+        <translation>已修复缺失段两端的 {0} 个测量采样被替换；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>The parameters hold the repair record; it moved the data by {0} block.</source>
+        <translation>参数中含有修复记录；它使数据移动了 {0} 个块。</translation>
+    </message>
+    <message>
+        <source>The parameters hold the repair record; it moved the data by {0} blocks.</source>
+        <translation>参数中含有修复记录；它使数据移动了 {0} 个块。</translation>
+    </message>
+    <message>
+        <source>The repair record was taken out of the parameters ({0} blocks).</source>
+        <translation>修复记录已从参数中取出（{0} 个块）。</translation>
+    </message>
+    <message>
+        <source>The integers of the file became floats; all values that were not repaired are equal.</source>
+        <translation>文件中的整数变成了浮点数；所有未修复的值都相等。</translation>
+    </message>
+    <message>
+        <source>1 byte differs in {0}.</source>
+        <translation>{0} 中有 1 个字节不同。</translation>
+    </message>
+    <message>
+        <source>{0} bytes differ in {1}.</source>
+        <translation>{1} 中有 {0} 个字节不同。</translation>
+    </message>
+    <message>
+        <source>the header</source>
+        <translation>文件头</translation>
+    </message>
+    <message>
+        <source>blocks that nothing uses</source>
+        <translation>未使用的块</translation>
+    </message>
+    <message>
+        <source>the structure of the parameter section</source>
+        <translation>参数区的结构</translation>
+    </message>
+    <message>
+        <source>the parameter {0}</source>
+        <translation>参数 {0}</translation>
+    </message>
+    <message>
+        <source>what follows the last frame</source>
+        <translation>最后一帧之后的内容</translation>
+    </message>
+    <message>
+        <source>1 sample differs</source>
+        <translation>1 个采样不同</translation>
+    </message>
+    <message>
+        <source>{0} samples differ</source>
+        <translation>{0} 个采样不同</translation>
+    </message>
+    <message>
+        <source>1 value differs</source>
+        <translation>1 个值不同</translation>
+    </message>
+    <message>
+        <source>{0} values differ</source>
+        <translation>{0} 个值不同</translation>
+    </message>
+    <message>
+        <source>Model output {0}: {1}, the first at frame {2}.</source>
+        <translation>模型输出 {0}：{1}，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>Marker {0}: {1} although measured, the first at frame {2}.</source>
+        <translation>标记点 {0}：虽为测量值，仍有{1}，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>Marker {0}: {1}, and still missing, the first at frame {2}.</source>
+        <translation>标记点 {0}：{1}，且仍然缺失，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>Marker {0}: {1} without the mark of a computed sample (fourth word 0), the first at frame {2}.</source>
+        <translation>标记点 {0}：{1}，没有计算采样的标记（第四个字为 0），首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>Marker {0}: {1} without an entry in the repair record, the first at frame {2}.</source>
+        <translation>标记点 {0}：{1}，修复记录中没有条目，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>Analog channel {0}: {1}.</source>
+        <translation>模拟通道 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The file did not read back as it was written ({0}); it was removed.</source>
+        <translation>文件回读的结果与写入的不同 ({0})；已将其删除。</translation>
+    </message>
+    <message>
+        <source>Check the disk, or choose another one.</source>
+        <translation>请检查磁盘，或换一个磁盘。</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {0}.</source>
+        <translation>无法写入文件：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>请换一个位置。</translation>
+    </message>
+    <message>
+        <source>The folder does not exist.</source>
+        <translation>文件夹不存在。</translation>
+    </message>
+    <message>
+        <source>Create it or choose another.</source>
+        <translation>请创建它或换一个。</translation>
+    </message>
+    <message>
+        <source>You may not write into this folder.</source>
+        <translation>您没有写入此文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation>请换一个。</translation>
+    </message>
+    <message>
+        <source>There is not enough space for the file.</source>
+        <translation>空间不足，无法写入文件。</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another folder.</source>
+        <translation>请腾出空间或换一个文件夹。</translation>
+    </message>
+    <message>
+        <source>There is a folder or a device of this name.</source>
+        <translation>已有同名的文件夹或设备。</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>请换一个名称。</translation>
+    </message>
+    <message>
+        <source>Marker {0} at frame {1}: {2} {3} does not fit into the {4} of this file, which end at {5}.</source>
+        <translation>标记点 {0} 第 {1} 帧：{2} {3} 超出此文件的 {4} 所能表示的上限 {5}。</translation>
+    </message>
+    <message>
+        <source>Leave this sample out, or fill it in another way.</source>
+        <translation>请略去此采样，或用其他方法填补。</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>文件是空的。</translation>
+    </message>
+    <message>
+        <source>This is not a C3D file.</source>
+        <translation>这不是 C3D 文件。</translation>
+    </message>
+    <message>
+        <source>The file ends before its parameter section, or does not say where that is.</source>
+        <translation>文件在参数区之前就结束了，或没有说明参数区的位置。</translation>
+    </message>
+    <message>
+        <source>The file ends before its data begin.</source>
+        <translation>文件在数据开始之前就结束了。</translation>
+    </message>
+    <message>
+        <source>The file names an unknown number format ({0}).</source>
+        <translation>文件所用的数字格式未知 ({0})。</translation>
+    </message>
+    <message>
+        <source>There are no samples to write.</source>
+        <translation>没有可写入的采样。</translation>
+    </message>
+    <message>
+        <source>Open another recording.</source>
+        <translation>请打开其他记录。</translation>
+    </message>
+    <message>
+        <source>A C3D file holds at most {0} markers and {1} events, not {2} and {3}.</source>
+        <translation>C3D 文件最多容纳 {0} 个标记点和 {1} 个事件，而不是 {2} 和 {3} 个。</translation>
+    </message>
+    <message>
+        <source>Save fewer of them.</source>
+        <translation>请减少保存的数量。</translation>
+    </message>
+    <message>
+        <source>A C3D file numbers its frames from 0 to {0}, not from {1} to {2}.</source>
+        <translation>C3D 文件的帧号为 0 至 {0}，而不是 {1} 至 {2}。</translation>
+    </message>
+    <message>
+        <source>Number the frames of the original from 1.</source>
+        <translation>请将原文件的帧从 1 开始编号。</translation>
+    </message>
+    <message>
+        <source>A C3D file cannot hold a frame rate of {0} Hz.</source>
+        <translation>C3D 文件无法容纳 {0} Hz 的帧率。</translation>
+    </message>
+    <message>
+        <source>Correct the frame rate of the original.</source>
+        <translation>请更正原文件的帧率。</translation>
+    </message>
+    <message>
+        <source>Marker {0} at frame {1}: {2} {3} does not fit into the numbers of a C3D file.</source>
+        <translation>标记点 {0} 第 {1} 帧：{2} {3} 超出 C3D 文件的数字范围。</translation>
+    </message>
+    <message>
+        <source>Delete this sample first.</source>
+        <translation>请先删除此采样。</translation>
+    </message>
+    <message>
+        <source>The original is not there any more; saving copies its bytes.</source>
+        <translation>原文件已不存在；保存时需要复制其字节。</translation>
+    </message>
+    <message>
+        <source>Put it back under this name, then save again.</source>
+        <translation>请以此名称放回原文件，然后重新保存。</translation>
+    </message>
+    <message>
+        <source>The file became shorter while it was read.</source>
+        <translation>文件在读取过程中变短了。</translation>
+    </message>
+    <message>
+        <source>Open it again.</source>
+        <translation>请重新打开。</translation>
+    </message>
+    <message>
+        <source>All names and events together need {0} bytes, and a C3D file has room for {1}.</source>
+        <translation>全部名称和事件共需 {0} 字节，而 C3D 文件只能容纳 {1} 字节。</translation>
+    </message>
+    <message>
+        <source>Shorten the labels, or save fewer markers or events.</source>
+        <translation>请缩短名称，或减少保存的标记点或事件。</translation>
+    </message>
+    <message>
+        <source>A repair does not fit into the integers of this file, and its structure does not allow to convert them to floats.</source>
+        <translation>有一处修复超出此文件的整数范围，而其结构不允许转换为浮点数。</translation>
+    </message>
+    <message>
+        <source>The skeleton (.asf) that this motion belongs to is not beside it.</source>
+        <translation>此运动所属的骨架文件 (.asf) 不在旁边。</translation>
+    </message>
+    <message>
+        <source>Put it into the same folder, under the name of the motion or of its subject.</source>
+        <translation>请将其放入同一文件夹，以运动或受试者的名称命名。</translation>
+    </message>
+    <message>
+        <source>The file ends before its first frame.</source>
+        <translation>文件在第一帧之前就结束了。</translation>
+    </message>
+    <message>
+        <source>Frame {0} has the bone {1}, which the skeleton lacks.</source>
+        <translation>第 {0} 帧有骨段 {1}，而骨架中没有。</translation>
+    </message>
+    <message>
+        <source>Frame {0} has no {1} values of the bone {2}, as the skeleton wants.</source>
+        <translation>第 {0} 帧中骨段 {2} 没有骨架所要求的 {1} 个值。</translation>
+    </message>
+    <message>
+        <source>Frame {0} has two bones {1}.</source>
+        <translation>第 {0} 帧有两个骨段 {1}。</translation>
+    </message>
+    <message>
+        <source>Frame {0} does not have the bones of the first frame.</source>
+        <translation>第 {0} 帧的骨段与第一帧不同。</translation>
+    </message>
+    <message>
+        <source>This is no AMC motion.</source>
+        <translation>这不是 AMC 运动文件。</translation>
+    </message>
+    <message>
+        <source>The skeleton file is too long.</source>
+        <translation>骨架文件太长。</translation>
+    </message>
+    <message>
+        <source>This is no ASF skeleton.</source>
+        <translation>这不是 ASF 骨架文件。</translation>
+    </message>
+    <message>
+        <source>The hierarchy does not join {0} to the root.</source>
+        <translation>层级结构没有把 {0} 连接到根。</translation>
+    </message>
+    <message>
+        <source>The skeleton has unknown degrees of freedom of {0}.</source>
+        <translation>骨架中 {0} 的自由度未知。</translation>
+    </message>
+    <message>
+        <source>{0} has the unknown order of axes {1}.</source>
+        <translation>{0} 的轴顺序 {1} 未知。</translation>
+    </message>
+    <message>
+        <source>{0} has no usable {1}.</source>
+        <translation>{0} 没有可用的 {1}。</translation>
+    </message>
+    <message>
+        <source>Bone {0}</source>
+        <translation>骨段 {0}</translation>
+    </message>
+    <message>
+        <source>The skeleton</source>
+        <translation>骨架</translation>
+    </message>
+    <message>
+        <source>The root</source>
+        <translation>根</translation>
+    </message>
+    <message>
+        <source>The hierarchy has the unknown bone {0}.</source>
+        <translation>层级结构中有未知的骨段 {0}。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has two parents of {0}.</source>
+        <translation>层级结构中 {0} 有两个父级。</translation>
+    </message>
+    <message>
+        <source>The skeleton file ends within a bone.</source>
+        <translation>骨架文件在骨段中间结束了。</translation>
+    </message>
+    <message>
+        <source>The skeleton has a bone without a name.</source>
+        <translation>骨架中有一个没有名称的骨段。</translation>
+    </message>
+    <message>
+        <source>The skeleton has two bones {0}.</source>
+        <translation>骨架中有两个骨段 {0}。</translation>
+    </message>
+    <message>
+        <source>The skeleton has more than {0} bones.</source>
+        <translation>骨架的骨段多于 {0} 个。</translation>
+    </message>
+    <message>
+        <source>The file holds no marker.</source>
+        <translation>文件中没有标记点。</translation>
+    </message>
+    <message>
+        <source>The file holds no frames: there is nothing to repair.</source>
+        <translation>文件中没有帧：没有可修复的内容。</translation>
+    </message>
+    <message>
+        <source>This is not a BVH file.</source>
+        <translation>这不是 BVH 文件。</translation>
+    </message>
+    <message>
+        <source>The file ends before its motion.</source>
+        <translation>文件在运动数据之前就结束了。</translation>
+    </message>
+    <message>
+        <source>The hierarchy is too long.</source>
+        <translation>层级结构太长。</translation>
+    </message>
+    <message>
+        <source>Frame {0} does not consist of {1} numbers.</source>
+        <translation>第 {0} 帧不是由 {1} 个数字组成。</translation>
+    </message>
+    <message>
+        <source>The hierarchy ends before joint {0} is closed.</source>
+        <translation>层级结构在关节 {0} 闭合之前就结束了。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has no joints.</source>
+        <translation>层级结构中没有关节。</translation>
+    </message>
+    <message>
+        <source>The hierarchy ends within the name of a joint.</source>
+        <translation>层级结构在关节名称中间结束了。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has a name that is too long.</source>
+        <translation>层级结构中有过长的名称。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has more than {0} joints.</source>
+        <translation>层级结构的关节多于 {0} 个。</translation>
+    </message>
+    <message>
+        <source>The offset of joint {0} is no three numbers.</source>
+        <translation>关节 {0} 的偏移不是三个数字。</translation>
+    </message>
+    <message>
+        <source>Joint {0} does not say how many channels it has.</source>
+        <translation>关节 {0} 没有说明有多少个通道。</translation>
+    </message>
+    <message>
+        <source>The hierarchy lacks an opening brace.</source>
+        <translation>层级结构缺少左大括号。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has an End Site outside of its joints.</source>
+        <translation>层级结构在关节之外有 End Site。</translation>
+    </message>
+    <message>
+        <source>Joint {0} has the unknown channel {1}.</source>
+        <translation>关节 {0} 有未知的通道 {1}。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has {0} outside of its joints.</source>
+        <translation>层级结构在关节之外有 {0}。</translation>
+    </message>
+    <message>
+        <source>The hierarchy has the unknown word {0}.</source>
+        <translation>层级结构中有未知的词 {0}。</translation>
+    </message>
+    <message>
+        <source>Line {0} has “{1}” where a number belongs.</source>
+        <translation>第 {0} 行应为数字处是“{1}”。</translation>
+    </message>
+    <message>
+        <source>A quotation mark is not closed between line {0} and line {1}.</source>
+        <translation>第 {0} 行与第 {1} 行之间有未闭合的引号。</translation>
+    </message>
+    <message>
+        <source>The file names {0} markers; at most {1} can be read.</source>
+        <translation>文件列出 {0} 个标记点；最多能读取 {1} 个。</translation>
+    </message>
+    <message>
+        <source>Name them as in frame, time, LASI_x, LASI_y, LASI_z or, with a line for each sample, frame, time, marker, x, y, z.</source>
+        <translation>请按 frame, time, LASI_x, LASI_y, LASI_z 命名；若每个采样一行，则按 frame, time, marker, x, y, z。</translation>
+    </message>
+    <message>
+        <source>The file has no row that names columns of markers.</source>
+        <translation>文件中没有给标记点各列命名的行。</translation>
+    </message>
+    <message>
+        <source>Some lines name neither a frame nor a time.</source>
+        <translation>有些行既没有帧号也没有时间。</translation>
+    </message>
+    <message>
+        <source>{0} lines are too few for {1} markers in {2} frames.</source>
+        <translation>对 {2} 帧中的 {1} 个标记点而言，{0} 行太少。</translation>
+    </message>
+    <message>
+        <source>There are no markers to export.</source>
+        <translation>没有可导出的标记点。</translation>
+    </message>
+    <message>
+        <source>The written file does not hold what it should; it was deleted.</source>
+        <translation>写出的文件内容有误；已将其删除。</translation>
+    </message>
+    <message>
+        <source>Try another disk.</source>
+        <translation>请换一个磁盘。</translation>
+    </message>
+    <message>
+        <source>{0} frames of {1} joints are too many for a file of this size.</source>
+        <translation>对这样大小的文件而言，{1} 个关节的 {0} 帧太多。</translation>
+    </message>
+    <message>
+        <source>Export it from Motive with its markers and with the header.</source>
+        <translation>请从 Motive 导出，并包含标记点和文件头。</translation>
+    </message>
+    <message>
+        <source>The file holds no markers.</source>
+        <translation>文件中没有标记点。</translation>
+    </message>
+    <message>
+        <source>The file holds no markers, only the poses of {0}.</source>
+        <translation>文件中没有标记点，只有 {0} 的位姿。</translation>
+    </message>
+    <message>
+        <source>The file has no rows that name its columns.</source>
+        <translation>文件中没有给各列命名的行。</translation>
+    </message>
+    <message>
+        <source>Export it from Nexus with its trajectories.</source>
+        <translation>请从 Nexus 导出，并包含轨迹。</translation>
+    </message>
+    <message>
+        <source>The file holds no trajectories.</source>
+        <translation>文件中没有轨迹。</translation>
+    </message>
+    <message>
+        <source>The file holds no trajectories, only {0}.</source>
+        <translation>文件中没有轨迹，只有 {0}。</translation>
+    </message>
+    <message>
+        <source>The trajectories have no row of X, Y and Z.</source>
+        <translation>轨迹没有 X、Y、Z 行。</translation>
+    </message>
+    <message>
+        <source>The file ends in the header of its trajectories.</source>
+        <translation>文件在轨迹的表头中就结束了。</translation>
+    </message>
+    <message>
+        <source>Save pos (frames, markers, 3), fps, names, units and up with numpy.savez.</source>
+        <translation>请用 numpy.savez 保存 pos (frames, markers, 3)、fps、names、units 和 up。</translation>
+    </message>
+    <message>
+        <source>The file has no array “pos”.</source>
+        <translation>文件中没有数组“pos”。</translation>
+    </message>
+    <message>
+        <source>“pos” must hold numbers, (frames, markers, 3), not {0} {1}.</source>
+        <translation>“pos”必须是形状为 (frames, markers, 3) 的数字，而不是 {0} {1}。</translation>
+    </message>
+    <message>
+        <source>The file has {0} markers; at most {1} can be read.</source>
+        <translation>文件有 {0} 个标记点；最多能读取 {1} 个。</translation>
+    </message>
+    <message>
+        <source>“names” must hold one text for each of the {0} markers, not {1} {2}.</source>
+        <translation>“names”必须为 {0} 个标记点各含一个文本，而不是 {1} {2}。</translation>
+    </message>
+    <message>
+        <source>Export the 3D data again from Qualisys Track Manager, with the TSV header.</source>
+        <translation>请从 Qualisys Track Manager 重新导出三维数据，并包含 TSV 文件头。</translation>
+    </message>
+    <message>
+        <source>The file holds no 3D markers.</source>
+        <translation>文件中没有三维标记点。</translation>
+    </message>
+    <message>
+        <source>The file holds no 3D markers but {0} data.</source>
+        <translation>文件中没有三维标记点，只有 {0} 数据。</translation>
+    </message>
+    <message>
+        <source>Line {0} or one before it is too long for a text file.</source>
+        <translation>第 {0} 行或之前的某一行对文本文件而言太长。</translation>
+    </message>
+    <message>
+        <source>This is not a text file.</source>
+        <translation>这不是文本文件。</translation>
+    </message>
+    <message>
+        <source>This is not a TRC file: it has no line that begins with “Frame#”.</source>
+        <translation>这不是 TRC 文件：没有以“Frame#”开头的行。</translation>
+    </message>
+    <message>
+        <source>Choose another file, or export it again from the program that made it.</source>
+        <translation>请换一个文件，或从生成它的程序重新导出。</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {0}.</source>
+        <translation>无法读取文件：{0}。</translation>
+    </message>
+    <message>
+        <source>Try a copy of it.</source>
+        <translation>请试试它的副本。</translation>
+    </message>
+    <message>
+        <source>The original was changed since it was opened.</source>
+        <translation>原文件在打开之后被更改了。</translation>
+    </message>
+    <message>
+        <source>Put the former file back under this name to save the repairs, or open it again.</source>
+        <translation>要保存修复，请以此名称放回先前的文件，或重新打开。</translation>
+    </message>
+    <message>
+        <source>The recording does not fit into memory.</source>
+        <translation>内存容纳不下此记录。</translation>
+    </message>
+    <message>
+        <source>Close other programs.</source>
+        <translation>请关闭其他程序。</translation>
+    </message>
+    <message>
+        <source>This is not an ordinary file.</source>
+        <translation>这不是普通文件。</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>没有这个文件。</translation>
+    </message>
+    <message>
+        <source>Check the name and the folder.</source>
+        <translation>请检查名称和文件夹。</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a file.</source>
+        <translation>这是文件夹，不是文件。</translation>
+    </message>
+    <message>
+        <source>Choose a file in it.</source>
+        <translation>请选择其中的文件。</translation>
+    </message>
+    <message>
+        <source>You may not read this file.</source>
+        <translation>您没有读取此文件的权限。</translation>
+    </message>
+    <message>
+        <source>Change its permissions or copy it.</source>
+        <translation>请更改其权限或复制它。</translation>
+    </message>
+    <message>
+        <source>The file is truncated: {0} of {1} frames are there.</source>
+        <translation>文件被截断：{1} 帧中只有 {0} 帧。</translation>
+    </message>
+    <message>
+        <source>Confirm that you want to save it all the same (--accept-truncated).</source>
+        <translation>请确认仍要保存 (--accept-truncated)。</translation>
+    </message>
+    <message>
+        <source>This is the file that the data come from.</source>
+        <translation>这就是数据所来自的文件。</translation>
+    </message>
+    <message>
+        <source>The c3d library does not confirm the saved file: {0}.</source>
+        <translation>c3d 库未能确认所保存的文件：{0}。</translation>
+    </message>
+    <message>
+        <source>Do not use the file, and report this.</source>
+        <translation>请不要使用该文件，并报告此问题。</translation>
+    </message>
+    <message>
+        <source>The recording has no markers to write.</source>
+        <translation>记录中没有可写入的标记点。</translation>
+    </message>
+    <message>
+        <source>Files that end in {0} cannot be written.</source>
+        <translation>无法写入以 {0} 结尾的文件。</translation>
+    </message>
+    <message>
+        <source>Choose a name that ends in one of {0}.</source>
+        <translation>请选择以下列之一结尾的名称：{0}。</translation>
+    </message>
+    <message>
+        <source>The saved edits cannot be discarded: {0}.</source>
+        <translation>无法丢弃已保存的编辑：{0}。</translation>
+    </message>
+    <message>
+        <source>The saved edits are damaged, or of another version of the program.</source>
+        <translation>已保存的编辑已损坏，或来自程序的其他版本。</translation>
+    </message>
+    <message>
+        <source>Try the version that made them.</source>
+        <translation>请用生成它们的版本试试。</translation>
+    </message>
+    <message>
+        <source>The saved edits cannot be read: {0}.</source>
+        <translation>无法读取已保存的编辑：{0}。</translation>
+    </message>
+    <message>
+        <source>The journal cannot be written: {0}. Edits since {1} are not protected against a crash.</source>
+        <translation>无法写入编辑日志：{0}。{1} 之后的编辑在程序崩溃时得不到保护。</translation>
+    </message>
+    <message>
+        <source>Export them soon.</source>
+        <translation>请尽快导出。</translation>
+    </message>
+    <message>
+        <source>Another window has recovered or discarded these edits.</source>
+        <translation>另一个窗口已恢复或丢弃了这些编辑。</translation>
+    </message>
+    <message>
+        <source>The recording was changed since these edits were made.</source>
+        <translation>记录在这些编辑之后被更改了。</translation>
+    </message>
+    <message>
+        <source>Put the former file back and open it; the edits are kept until you discard them.</source>
+        <translation>请放回先前的文件并打开；编辑会一直保留，直到您丢弃。</translation>
+    </message>
+    <message>
+        <source>A report is an HTML or a PDF file, and this name says neither.</source>
+        <translation>报告是 HTML 或 PDF 文件，而此名称两者都不是。</translation>
+    </message>
+    <message>
+        <source>End the name in .html or .pdf.</source>
+        <translation>名称请以 .html 或 .pdf 结尾。</translation>
+    </message>
+    <message>
+        <source>Choose other recordings, or name the markers to learn.</source>
+        <translation>请选择其他记录，或指定要学习的标记点。</translation>
+    </message>
+    <message>
+        <source>The written file is wrong and was removed: {0}</source>
+        <translation>写出的文件有误，已将其删除：{0}</translation>
+    </message>
+    <message>
+        <source>Please report this.</source>
+        <translation>请报告此问题。</translation>
+    </message>
+    <message>
+        <source>Too many jobs are running at once.</source>
+        <translation>同时运行的任务太多。</translation>
+    </message>
+    <message>
+        <source>Wait for one to end.</source>
+        <translation>请等待其中一个结束。</translation>
+    </message>
+    <message>
+        <source>The background worker stopped unexpectedly.</source>
+        <translation>后台进程意外停止。</translation>
+    </message>
+    <message>
+        <source>Retry.</source>
+        <translation>请重试。</translation>
+    </message>
+    <message>
+        <source>This is not a plan: {0}.</source>
+        <translation>这不是计划：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as a plan.</source>
+        <translation>请选择保存为计划的文件。</translation>
+    </message>
+    <message>
+        <source>it has no method with parameters</source>
+        <translation>其中没有带参数的方法</translation>
+    </message>
+    <message>
+        <source>its {0} is not a number from 0 upwards</source>
+        <translation>其 {0} 不是大于等于 0 的数</translation>
+    </message>
+    <message>
+        <source>The recipe does not fit this file: {0}.</source>
+        <translation>修复方案不适用于此文件：{0}。</translation>
+    </message>
+    <message>
+        <source>Use it with the file that it was made for.</source>
+        <translation>请用于制作它时的文件。</translation>
+    </message>
+    <message>
+        <source>This is not a recipe: {0}.</source>
+        <translation>这不是修复方案：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as a recipe.</source>
+        <translation>请选择保存为修复方案的文件。</translation>
+    </message>
+    <message>
+        <source>it has two edits of one gap</source>
+        <translation>其中对同一缺失段有两项编辑</translation>
+    </message>
+    <message>
+        <source>it has no list of edits</source>
+        <translation>其中没有编辑列表</translation>
+    </message>
+    <message>
+        <source>it asks for something else than filling and reopening gaps</source>
+        <translation>其中有填补和还原缺失段以外的操作</translation>
+    </message>
+    <message>
+        <source>its point {0} is not the marker {1}</source>
+        <translation>其中的点 {0} 不是标记点 {1}</translation>
+    </message>
+    <message>
+        <source>frames {0} to {1} of {2} are not one of its gaps</source>
+        <translation>{2} 的第 {0} 至 {1} 帧不是其缺失段之一</translation>
+    </message>
+    <message>
+        <source>A gap of {0} cannot be filled: {1}.</source>
+        <translation>{0} 的一个缺失段无法填补：{1}。</translation>
+    </message>
+    <message>
+        <source>The recipe cannot be replayed: {0}.</source>
+        <translation>无法重放修复方案：{0}。</translation>
+    </message>
+    <message>
+        <source>Use the version of the program that the recipe names.</source>
+        <translation>请使用修复方案中注明的程序版本。</translation>
+    </message>
+    <message>
+        <source>The recipe was made for another recording, or by another version.</source>
+        <translation>修复方案是为另一个记录或由其他版本制作的。</translation>
+    </message>
+    <message>
+        <source>The name of the training set is too long to be written down with the repairs.</source>
+        <translation>训练集的名称太长，无法随修复一起记录。</translation>
+    </message>
+    <message>
+        <source>Move it to a folder with a shorter name.</source>
+        <translation>请将其移到名称较短的文件夹。</translation>
+    </message>
+    <message>
+        <source>The recipe needs a training set that is not there.</source>
+        <translation>修复方案所需的训练集不存在。</translation>
+    </message>
+    <message>
+        <source>Put the file in this place; a relative one is looked for in the current folder.</source>
+        <translation>请将文件放到此处；相对路径在当前文件夹中查找。</translation>
+    </message>
+    <message>
+        <source>This is not the training set that the recipe was made with.</source>
+        <translation>这不是制作修复方案时所用的训练集。</translation>
+    </message>
+    <message>
+        <source>Put the former file back in its place.</source>
+        <translation>请将先前的文件放回原处。</translation>
+    </message>
+    <message>
+        <source>The last of the saved edits were damaged and are lost.</source>
+        <translation>最后保存的编辑已损坏并丢失。</translation>
+    </message>
+    <message>
+        <source>All before them are recovered.</source>
+        <translation>在其之前的编辑均已恢复。</translation>
+    </message>
+    <message>
+        <source>The recording of these edits is not there any more.</source>
+        <translation>这些编辑所属的记录已不存在。</translation>
+    </message>
+    <message>
+        <source>Put it back, or open it where it is now: the edits are offered again then.</source>
+        <translation>请将其放回，或在现在的位置打开：届时会再次提供恢复。</translation>
+    </message>
+    <message>
+        <source>The file has no array “{0}”.</source>
+        <translation>文件中没有数组“{0}”。</translation>
+    </message>
+    <message>
+        <source>The array “{0}” is encrypted or compressed in an unknown way.</source>
+        <translation>数组“{0}”已加密，或以未知方式压缩。</translation>
+    </message>
+    <message>
+        <source>The array “{0}” would grow from {1} to {2} bytes; that is not believable.</source>
+        <translation>数组“{0}”展开后会从 {1} 增至 {2} 字节；这不可信。</translation>
+    </message>
+    <message>
+        <source>This is not an .npz file, or it is damaged.</source>
+        <translation>这不是 .npz 文件，或者已损坏。</translation>
+    </message>
+    <message>
+        <source>The array “{0}” is damaged.</source>
+        <translation>数组“{0}”已损坏。</translation>
+    </message>
+    <message>
+        <source>“{0}” is no array.</source>
+        <translation>“{0}”不是数组。</translation>
+    </message>
+    <message>
+        <source>“{0}” is no array of numbers or text.</source>
+        <translation>“{0}”不是数字或文本的数组。</translation>
+    </message>
+    <message>
+        <source>The size of “{0}” is not what its header says.</source>
+        <translation>“{0}”的大小与其头部所述不符。</translation>
+    </message>
+    <message>
+        <source>fill {0} gaps ({1})</source>
+        <translation>填补 {0} 个缺失段 ({1})</translation>
+    </message>
+    <message>
+        <source>fill {0} ({1})</source>
+        <translation>填补 {0} ({1})</translation>
+    </message>
+    <message>
+        <source>clear the repair of {0}</source>
+        <translation>清除 {0} 的修复</translation>
+    </message>
+    <message>
+        <source>never fill {0} gaps</source>
+        <translation>永不填补 {0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>allow to fill {0} gaps</source>
+        <translation>允许填补 {0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>move the ends of a gap of {0}</source>
+        <translation>移动 {0} 缺失段的两端</translation>
+    </message>
+    <message>
+        <source>replay {0}</source>
+        <translation>重放 {0}</translation>
+    </message>
+    <message>
+        <source>left open by hand</source>
+        <translation>手动保留未填补</translation>
+    </message>
+    <message>
+        <source>the preview was cancelled</source>
+        <translation>预览已取消</translation>
+    </message>
+    <message>
+        <source>the preview failed</source>
+        <translation>预览失败</translation>
+    </message>
+    <message>
+        <source>the expected error of {0} is above the limit of {1}</source>
+        <translation>预期误差 {0} 超过限值 {1}</translation>
+    </message>
+    <message>
+        <source>the expected error of {0} is above the default limit of {1}</source>
+        <translation>预期误差 {0} 超过默认限值 {1}</translation>
+    </message>
+    <message>
+        <source>its error could not be estimated: there is nothing like it to test this method on</source>
+        <translation>无法估计其误差：没有类似的片段可用来测试此方法</translation>
+    </message>
+    <message>
+        <source>its error could not be estimated, and {0} is longer than the {1} allowed in that case</source>
+        <translation>无法估计其误差，且 {0} 超过此情况下允许的 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is longer than the limit of {1}</source>
+        <translation>{0} 超过限值 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is longer than the default limit of {1}</source>
+        <translation>{0} 超过默认限值 {1}</translation>
+    </message>
+    <message>
+        <source>1 frame ({0} ms)</source>
+        <translation>1 帧 ({0} ms)</translation>
+    </message>
+    <message>
+        <source>{0} frames ({1} ms)</source>
+        <translation>{0} 帧 ({1} ms)</translation>
+    </message>
+    <message>
+        <source>the marker is never seen in this recording</source>
+        <translation>该标记点在此记录中从未出现</translation>
+    </message>
+    <message>
+        <source>the marker is never seen after frame {0}: this method needs both sides</source>
+        <translation>第 {0} 帧之后该标记点再未出现：此方法需要两侧的采样</translation>
+    </message>
+    <message>
+        <source>the marker is never seen before frame {0}: this method needs both sides</source>
+        <translation>第 {0} 帧之前该标记点从未出现：此方法需要两侧的采样</translation>
+    </message>
+    <message>
+        <source>a constant needs {0} samples, and the marker has only {1}</source>
+        <translation>常值需要 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>a straight line needs {0} samples, and the marker has only {1}</source>
+        <translation>直线需要 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>a cubic curve needs {0} samples, and the marker has only {1}</source>
+        <translation>三次曲线需要 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>a curve needs {0} samples, and the marker has only {1}</source>
+        <translation>曲线需要 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>a quintic curve needs {0} samples, and the marker has only {1}</source>
+        <translation>五次曲线需要 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>the filter needs {0} samples, and the marker has only {1}</source>
+        <translation>滤波器需要 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>the filter needs {0} samples before the gap, and the marker has only {1}</source>
+        <translation>滤波器需要缺失段之前有 {0} 个采样，而该标记点只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>the motion is not periodic: it does not repeat itself closely enough</source>
+        <translation>运动没有周期性：重复得不够接近</translation>
+    </message>
+    <message>
+        <source>no other cycle of {0} s has this marker in all frames that are missing here</source>
+        <translation>在其他长 {0} s 的周期中，没有一个在此处缺失的各帧里都有该标记点</translation>
+    </message>
+    <message>
+        <source>the gap lies at the beginning of the recording, and such gaps are to be left open</source>
+        <translation>缺失段位于记录开头，按设定不填补</translation>
+    </message>
+    <message>
+        <source>the gap lies at the end of the recording, and such gaps are to be left open</source>
+        <translation>缺失段位于记录结尾，按设定不填补</translation>
+    </message>
+    <message>
+        <source>it is at the start or the end of the recording, where gaps are to be left open</source>
+        <translation>它位于记录的开头或结尾，按设定不填补</translation>
+    </message>
+    <message>
+        <source>it is at the beginning or the end, and no other marker is seen throughout</source>
+        <translation>它位于开头或结尾，且没有其他标记点全程可见</translation>
+    </message>
+    <message>
+        <source>only {0} frames show the marker and those that predict it: this method needs {1}</source>
+        <translation>只有 {0} 帧同时有该标记点和用来预测它的标记点：此方法需要 {1} 帧</translation>
+    </message>
+    <message>
+        <source>only {0} frames show the marker and those that predict it: this method needs {1} in a row</source>
+        <translation>只有 {0} 帧同时有该标记点和用来预测它的标记点：此方法需要连续 {1} 帧</translation>
+    </message>
+    <message>
+        <source>of the other markers, {0} have no gap at all: this method needs {1}</source>
+        <translation>其他标记点中有 {0} 个完全没有缺失段：此方法需要 {1} 个</translation>
+    </message>
+    <message>
+        <source>of the other markers, {0} are seen throughout the gap: this method needs {1}</source>
+        <translation>其他标记点中有 {0} 个在缺失段内全程可见：此方法需要 {1} 个</translation>
+    </message>
+    <message>
+        <source>fewer than {0} other markers that are seen often enough are there in most of the gap: this method has too little to tell the posture by</source>
+        <translation>在缺失段的大部分时间里，出现得足够多的其他标记点少于 {0} 个：此方法没有足够的依据来推断姿势</translation>
+    </message>
+    <message>
+        <source>fewer than {0} other markers that are seen often enough are there: this method has too little to tell the posture by</source>
+        <translation>出现得足够多的其他标记点少于 {0} 个：此方法没有足够的依据来推断姿势</translation>
+    </message>
+    <message>
+        <source>fewer than {0} other markers that are seen often enough are there in some of the gap: this method has too little to tell the pose by</source>
+        <translation>在缺失段的部分时间里，出现得足够多的其他标记点少于 {0} 个：此方法没有足够的依据来推断姿态</translation>
+    </message>
+    <message>
+        <source>only {0} stretches show the marker and those that predict it: this method needs {1}</source>
+        <translation>只有 {0} 个片段同时有该标记点和用来预测它的标记点：此方法需要 {1} 个</translation>
+    </message>
+    <message>
+        <source>the recording is too short for the windows of this method</source>
+        <translation>对此方法的窗口而言，记录太短</translation>
+    </message>
+    <message>
+        <source>there is no marker {0} to take as a donor</source>
+        <translation>没有可作参考标记点的标记点 {0}</translation>
+    </message>
+    <message>
+        <source>{0} markers are called {1}: it cannot be a donor</source>
+        <translation>有 {0} 个标记点名为 {1}：它不能作参考标记点</translation>
+    </message>
+    <message>
+        <source>{0} cannot be its own donor</source>
+        <translation>{0} 不能作自己的参考标记点</translation>
+    </message>
+    <message>
+        <source>the donor {0} is missing in the gap too</source>
+        <translation>参考标记点 {0} 在缺失段内也缺失</translation>
+    </message>
+    <message>
+        <source>the donor {0} is missing at an edge of the gap</source>
+        <translation>参考标记点 {0} 在缺失段一端缺失</translation>
+    </message>
+    <message>
+        <source>it takes {0} donors, and {1} are given</source>
+        <translation>需要 {0} 个参考标记点，而只给出 {1} 个</translation>
+    </message>
+    <message>
+        <source>no marker is seen throughout the gap and at its edges, and it takes {0}</source>
+        <translation>没有标记点在缺失段内及其两端全程可见，而此方法需要 {0} 个</translation>
+    </message>
+    <message>
+        <source>only {0} of the markers are seen throughout the gap and at its edges, and it takes {1}</source>
+        <translation>只有 {0} 个标记点在缺失段内及其两端全程可见，而此方法需要 {1} 个</translation>
+    </message>
+    <message>
+        <source>the marker and its donor {0} are hardly ever seen together</source>
+        <translation>该标记点与其参考标记点 {0} 几乎从未同时可见</translation>
+    </message>
+    <message>
+        <source>the marker and its donors are hardly ever seen together</source>
+        <translation>该标记点与其参考标记点几乎从未同时可见</translation>
+    </message>
+    <message>
+        <source>the training set does not have this marker</source>
+        <translation>训练集中没有此标记点</translation>
+    </message>
+    <message>
+        <source>the training set has no such marker</source>
+        <translation>训练集中没有这样的标记点</translation>
+    </message>
+    <message>
+        <source>no marker of the training set is seen all through the gap</source>
+        <translation>训练集的标记点中没有一个在缺失段内全程可见</translation>
+    </message>
+    <message>
+        <source>Trained dictionaries come with a training set, and none is given.</source>
+        <translation>训练好的字典随训练集提供，而没有指定训练集。</translation>
+    </message>
+    <message>
+        <source>The dictionaries were trained at {0} Hz, and this recording has {1}.</source>
+        <translation>字典是以 {0} Hz 训练的，而此记录为 {1} Hz。</translation>
+    </message>
+    <message>
+        <source>The training set is of other markers: {0} of its {1} are not in this recording ({2}).</source>
+        <translation>训练集使用的是其他标记点：其 {1} 个中有 {0} 个不在此记录中 ({2})。</translation>
+    </message>
+    <message>
+        <source>The recording has more than one marker {0}: a training set is for one subject.</source>
+        <translation>记录中有不止一个标记点 {0}：训练集只适用于一名受试者。</translation>
+    </message>
+    <message>
+        <source>This is not a file.</source>
+        <translation>这不是文件。</translation>
+    </message>
+    <message>
+        <source>There is no such training set.</source>
+        <translation>没有这个训练集。</translation>
+    </message>
+    <message>
+        <source>This training set may not be read.</source>
+        <translation>没有读取此训练集的权限。</translation>
+    </message>
+    <message>
+        <source>This is not a training set of mocapmend, or it is damaged.</source>
+        <translation>这不是 mocapmend 的训练集，或者已损坏。</translation>
+    </message>
+    <message>
+        <source>The training set would grow beyond what is believable.</source>
+        <translation>训练集展开后的大小不可信。</translation>
+    </message>
+    <message>
+        <source>The head of the training set is too long.</source>
+        <translation>训练集的头部太长。</translation>
+    </message>
+    <message>
+        <source>The training set has {0} in “{1}”, not float32.</source>
+        <translation>训练集的“{1}”中是 {0}，而不是 float32。</translation>
+    </message>
+    <message>
+        <source>The training set has format {0}, not {1}.</source>
+        <translation>训练集的格式是 {0}，而不是 {1}。</translation>
+    </message>
+    <message>
+        <source>The training set says that {0} points up.</source>
+        <translation>训练集称 {0} 轴朝上。</translation>
+    </message>
+    <message>
+        <source>The training set contradicts itself: its frames are not as listed.</source>
+        <translation>训练集自相矛盾：其中的帧与所列不符。</translation>
+    </message>
+    <message>
+        <source>The training set has a dictionary that is no table.</source>
+        <translation>训练集中有一个字典不是表。</translation>
+    </message>
+    <message>
+        <source>The training set has values that are no numbers.</source>
+        <translation>训练集中有不是数字的值。</translation>
+    </message>
+    <message>
+        <source>The training set has no trained dictionaries of all parts.</source>
+        <translation>训练集没有全部部位的训练字典。</translation>
+    </message>
+    <message>
+        <source>Choose a file that “mocapmend train sparse” has written.</source>
+        <translation>请选择由“mocapmend train sparse”写出的文件。</translation>
+    </message>
+    <message>
+        <source>Choose a file that “mocapmend train sparse” has written, or one that ships with the program: {0}.</source>
+        <translation>请选择由“mocapmend train sparse”写出的文件，或随程序提供的文件：{0}。</translation>
+    </message>
+    <message>
+        <source>The file&apos;s repair record cannot be used: {0}.</source>
+        <translation>无法使用文件的修复记录：{0}。</translation>
+    </message>
+    <message>
+        <source>{0} samples at (0, 0, 0), which means missing in a C3D file, were moved by {1} {2}.</source>
+        <translation>{0} 个位于 (0, 0, 0) 的采样（在 C3D 文件中表示缺失）被移动了 {1} {2}。</translation>
+    </message>
+    <message>
+        <source>The file says that it has {0} force plates and describes {1}.</source>
+        <translation>文件称有 {0} 个测力台，却描述了 {1} 个。</translation>
+    </message>
+    <message>
+        <source>Force plates {0}: {1}.</source>
+        <translation>测力台 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>Force plate {0}: {1}.</source>
+        <translation>测力台 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>the type is not known</source>
+        <translation>类型未知</translation>
+    </message>
+    <message>
+        <source>type {0} is not known</source>
+        <translation>类型 {0} 未知</translation>
+    </message>
+    <message>
+        <source>not all analog channels are in the file</source>
+        <translation>文件中没有其全部模拟通道</translation>
+    </message>
+    <message>
+        <source>{0} analog channels do not belong to type {1}</source>
+        <translation>{0} 个模拟通道与类型 {1} 不符</translation>
+    </message>
+    <message>
+        <source>type {0} needs a calibration matrix, and there is none</source>
+        <translation>类型 {0} 需要标定矩阵，而文件中没有</translation>
+    </message>
+    <message>
+        <source>type {0} has no use for the calibration matrix</source>
+        <translation>类型 {0} 用不到标定矩阵</translation>
+    </message>
+    <message>
+        <source>the corners span no surface</source>
+        <translation>四角不构成平面</translation>
+    </message>
+    <message>
+        <source>The {0} analog values of a frame cannot be split into channels; they are taken for one sample of each.</source>
+        <translation>每帧的 {0} 个模拟值无法分配到各通道；按每通道一个采样处理。</translation>
+    </message>
+    <message>
+        <source>The file states no usable scale; floats in its own unit are assumed.</source>
+        <translation>文件没有给出可用的比例；假定为以其自身单位表示的浮点数。</translation>
+    </message>
+    <message>
+        <source>The header&apos;s scale ({0}) and POINT:SCALE ({1}) differ; {2} is used.</source>
+        <translation>文件头的比例 ({0}) 与 POINT:SCALE ({1}) 不同；采用 {2}。</translation>
+    </message>
+    <message>
+        <source>The file states no frame rate; {0} Hz is assumed.</source>
+        <translation>文件没有给出帧率；假定为 {0} Hz。</translation>
+    </message>
+    <message>
+        <source>The header&apos;s frame rate ({0} Hz) and POINT:RATE ({1} Hz) differ; {2} Hz is used.</source>
+        <translation>文件头的帧率 ({0} Hz) 与 POINT:RATE ({1} Hz) 不同；采用 {2} Hz。</translation>
+    </message>
+    <message>
+        <source>TRIAL:ACTUAL_START_FIELD says that the first frame is {0}; the header&apos;s {1} is used.</source>
+        <translation>TRIAL:ACTUAL_START_FIELD 称首帧为 {0}；采用文件头的 {1}。</translation>
+    </message>
+    <message>
+        <source>The header&apos;s first frame ({0}) and TRIAL:ACTUAL_START_FIELD ({1}) differ; {2} is used.</source>
+        <translation>文件头的首帧 ({0}) 与 TRIAL:ACTUAL_START_FIELD ({1}) 不同；采用 {2}。</translation>
+    </message>
+    <message>
+        <source>Header and parameters disagree on the numbers of points and analog values per frame; {0} and {1} are used.</source>
+        <translation>文件头与参数所述的每帧点数和模拟值数不一致；采用 {0} 和 {1}。</translation>
+    </message>
+    <message>
+        <source>The file states different numbers of frames ({0}); {1} is used.</source>
+        <translation>文件给出的帧数不一致 ({0})；采用 {1}。</translation>
+    </message>
+    <message>
+        <source>The file does not say where its data begin; they are taken to follow the parameters.</source>
+        <translation>文件没有说明数据从何处开始；假定紧接在参数之后。</translation>
+    </message>
+    <message>
+        <source>Parameters occur more than once, and the first is used: {0}.</source>
+        <translation>有重复的参数，采用第一个：{0}。</translation>
+    </message>
+    <message>
+        <source>The header puts the data at block {0} and POINT:DATA_START at block {1}; {2} is used.</source>
+        <translation>文件头称数据在第 {0} 块，POINT:DATA_START 称在第 {1} 块；采用 {2}。</translation>
+    </message>
+    <message>
+        <source>Names that a C3D file cannot hold were cut ({0}); the first is {1}.</source>
+        <translation>C3D 文件容纳不下的名称已被截短 ({0})；第一个是 {1}。</translation>
+    </message>
+    <message>
+        <source>The file holds no marker data: there is nothing to repair.</source>
+        <translation>文件中没有标记点数据：没有可修复的内容。</translation>
+    </message>
+    <message>
+        <source>{0} bytes follow the last frame; they are kept as they are.</source>
+        <translation>最后一帧之后还有 {0} 个字节；原样保留。</translation>
+    </message>
+    <message>
+        <source>{0} samples are exactly (0, 0, 0) or not finite without a mark of missing; they are taken as missing.</source>
+        <translation>{0} 个采样恰为 (0, 0, 0) 或不是有限数，却没有缺失标记；按缺失处理。</translation>
+    </message>
+    <message>
+        <source>The file says that {0} points up, which would put the markers below the floor; {1} is used.</source>
+        <translation>文件称 {0} 朝上，这会使标记点位于地面以下；采用 {1}。</translation>
+    </message>
+    <message>
+        <source>A skeleton file holds no motion; the rest pose is shown as one frame. Open the .amc file to see a motion.</source>
+        <translation>骨架文件不含运动；静止姿势显示为一帧。要查看运动，请打开 .amc 文件。</translation>
+    </message>
+    <message>
+        <source>The file states no rate and no axis that points up; {0} Hz and +y, as in CMU&apos;s recordings, are assumed.</source>
+        <translation>文件没有给出帧率和朝上的轴；假定与 CMU 的记录相同，为 {0} Hz 和 +y。</translation>
+    </message>
+    <message>
+        <source>One length unit of the skeleton is taken for 1/{0} inch, as in CMU&apos;s recordings, and lengths are converted to cm.</source>
+        <translation>骨架的一个长度单位按 CMU 的记录取为 1/{0} 英寸，长度换算为 cm。</translation>
+    </message>
+    <message>
+        <source>The skeleton is {0}, the only one in the folder.</source>
+        <translation>骨架为 {0}，即文件夹中唯一的一个。</translation>
+    </message>
+    <message>
+        <source>{0} bones have no values in the motion and do not turn.</source>
+        <translation>{0} 个骨段在运动中没有数值，不转动。</translation>
+    </message>
+    <message>
+        <source>The last frame is incomplete and is left out.</source>
+        <translation>最后一帧不完整，已略去。</translation>
+    </message>
+    <message>
+        <source>Frame {0} does not follow the frame before it; frames are read as if none were left out.</source>
+        <translation>第 {0} 帧与前一帧不连续；按没有遗漏的帧读取。</translation>
+    </message>
+    <message>
+        <source>Bones that shift or stretch are drawn with a fixed length.</source>
+        <translation>会移动或伸缩的骨段按固定长度绘制。</translation>
+    </message>
+    <message>
+        <source>The numbers of the frames do not count up by one; the lines are taken as consecutive frames.</source>
+        <translation>帧号不是逐一递增；各行按连续的帧处理。</translation>
+    </message>
+    <message>
+        <source>Some frames have no number; the lines are taken as consecutive frames.</source>
+        <translation>有些帧没有编号；各行按连续的帧处理。</translation>
+    </message>
+    <message>
+        <source>Frames that the file leaves out are taken as frames without markers: {0}.</source>
+        <translation>文件略去的帧按没有标记点的帧处理：{0}。</translation>
+    </message>
+    <message>
+        <source>The file states no frame rate; its times say {0} Hz.</source>
+        <translation>文件没有给出帧率；其时间表明为 {0} Hz。</translation>
+    </message>
+    <message>
+        <source>The file states {0} Hz, but its times say {1} Hz; {2} Hz is used.</source>
+        <translation>文件给出 {0} Hz，而其时间表明为 {1} Hz；采用 {2} Hz。</translation>
+    </message>
+    <message>
+        <source>The file states no length unit; {0} is assumed from the size of the skeleton.</source>
+        <translation>文件没有给出长度单位；根据骨架大小假定为 {0}。</translation>
+    </message>
+    <message>
+        <source>The file does not say which axis points up; {0} is assumed.</source>
+        <translation>文件没有说明哪个轴朝上；假定为 {0}。</translation>
+    </message>
+    <message>
+        <source>The frame time {0} s may be a rounded 1/{1} s; {2} Hz is used.</source>
+        <translation>帧时间 {0} s 可能由 1/{1} s 舍入而来；采用 {2} Hz。</translation>
+    </message>
+    <message>
+        <source>The file states no length unit; 1/0.45 inch, as in CMU&apos;s recordings, is assumed from the size of the skeleton, and lengths are converted to cm.</source>
+        <translation>文件没有给出长度单位；根据骨架大小假定与 CMU 的记录相同，为 1/0.45 英寸，长度换算为 cm。</translation>
+    </message>
+    <message>
+        <source>The file states no usable frame time; {0} Hz is assumed.</source>
+        <translation>文件没有给出可用的帧时间；假定为 {0} Hz。</translation>
+    </message>
+    <message>
+        <source>The file holds no motion; the rest pose is shown as one frame.</source>
+        <translation>文件不含运动；静止姿势显示为一帧。</translation>
+    </message>
+    <message>
+        <source>The file does not say how many frames it holds.</source>
+        <translation>文件没有说明含有多少帧。</translation>
+    </message>
+    <message>
+        <source>The file says that it holds {0} frames, but {1} are there; all are read.</source>
+        <translation>文件称含有 {0} 帧，实有 {1} 帧；已全部读取。</translation>
+    </message>
+    <message>
+        <source>The last line is no complete frame and is left out.</source>
+        <translation>最后一行不是完整的帧，已略去。</translation>
+    </message>
+    <message>
+        <source>Most lines after line {0} end before their last column.</source>
+        <translation>第 {0} 行之后的大多数行在最后一列之前就结束了。</translation>
+    </message>
+    <message>
+        <source>The last line is cut off; it is left out.</source>
+        <translation>最后一行被截断；已略去。</translation>
+    </message>
+    <message>
+        <source>Labels that were empty or had characters that no file holds are changed: {0}.</source>
+        <translation>空的或含有文件无法容纳的字符的名称已更改：{0}。</translation>
+    </message>
+    <message>
+        <source>TRC files know mm, cm and m; the coordinates are written in mm, not {0}.</source>
+        <translation>TRC 文件只支持 mm、cm 和 m；坐标以 mm 而不是 {0} 写入。</translation>
+    </message>
+    <message>
+        <source>Samples exactly at (0, 0, 0) would be missing to a reader; their x is written as {0}: {1}.</source>
+        <translation>恰在 (0, 0, 0) 的采样会被读取程序视为缺失；其 x 写为 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>Samples exactly at (0, 0, 0) are taken as missing: {0}.</source>
+        <translation>恰在 (0, 0, 0) 的采样按缺失处理：{0}。</translation>
+    </message>
+    <message>
+        <source>Samples without some of their coordinates are taken as missing: {0}.</source>
+        <translation>缺少部分坐标的采样按缺失处理：{0}。</translation>
+    </message>
+    <message>
+        <source>Samples impossibly far away are taken as missing: {0}.</source>
+        <translation>距离远得不可能的采样按缺失处理：{0}。</translation>
+    </message>
+    <message>
+        <source>{0} samples depend on values that are no numbers or far too large; they are taken as missing.</source>
+        <translation>{0} 个采样取决于不是数字或过大的值；按缺失处理。</translation>
+    </message>
+    <message>
+        <source>1 joint has the label of another joint.</source>
+        <translation>1 个关节与另一个关节同名。</translation>
+    </message>
+    <message>
+        <source>{0} joints have the label of another joint.</source>
+        <translation>{0} 个关节与其他关节同名。</translation>
+    </message>
+    <message>
+        <source>1 point has the label of another point.</source>
+        <translation>1 个点与另一个点同名。</translation>
+    </message>
+    <message>
+        <source>{0} points have the label of another point.</source>
+        <translation>{0} 个点与其他点同名。</translation>
+    </message>
+    <message>
+        <source>Markers that are not measured, but where Motive expects them on a body or bone: {0} of {1}.</source>
+        <translation>不是测得、而是 Motive 在刚体或骨骼上推定的标记点：{1} 个中有 {0} 个。</translation>
+    </message>
+    <message>
+        <source>The poses of bodies and bones are left out: {0}.</source>
+        <translation>刚体和骨骼的位姿已略去：{0}。</translation>
+    </message>
+    <message>
+        <source>Other sections of the file are left out: {0}.</source>
+        <translation>文件的其他部分已略去：{0}。</translation>
+    </message>
+    <message>
+        <source>The bones of the file do not fit its markers; they are ignored.</source>
+        <translation>文件中的骨段与其标记点不符；已忽略。</translation>
+    </message>
+    <message>
+        <source>The parents of the markers do not fit the markers; they are ignored.</source>
+        <translation>标记点的父级与标记点不符；已忽略。</translation>
+    </message>
+    <message>
+        <source>There are {0} markers by the header, but it names {1}.</source>
+        <translation>文件头称有 {0} 个标记点，却列出 {1} 个名称。</translation>
+    </message>
+    <message>
+        <source>Markers without a label in the file: {0}.</source>
+        <translation>文件中没有名称的标记点：{0}。</translation>
+    </message>
+    <message>
+        <source>There are {0} markers by the header, but {1} in the file.</source>
+        <translation>文件头称有 {0} 个标记点，而文件中有 {1} 个。</translation>
+    </message>
+    <message>
+        <source>There are {0} frames by the header, but {1} in the file.</source>
+        <translation>文件头称有 {0} 帧，而文件中有 {1} 帧。</translation>
+    </message>
+    <message>
+        <source>The file names {0} of its {1} points; the others are called by their number.</source>
+        <translation>文件的 {1} 个点中有 {0} 个有名称；其余以编号称呼。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} repairs of the repair record are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录的 {1} 处修复中有 {0} 处已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>The repair record {0} belongs to another state of this file; its repairs are taken for measured samples.</source>
+        <translation>修复记录 {0} 属于此文件的另一状态；其中的修复按测得的采样处理。</translation>
+    </message>
+    <message>
+        <source>The repair record {0} cannot be read: {1}.</source>
+        <translation>无法读取修复记录 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The repair record {0} cannot be used: {1}.</source>
+        <translation>无法使用修复记录 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The file is truncated: it says that it holds {0} frames, but only {1} are there.</source>
+        <translation>文件被截断：文件称含有 {0} 帧，但只有 {1} 帧。</translation>
+    </message>
+    <message>
+        <source>The file states no length unit; {0} is assumed from the size of its numbers.</source>
+        <translation>文件没有给出长度单位；根据数值大小假定为 {0}。</translation>
+    </message>
+    <message>
+        <source>The file states an unknown length unit ({0}); {1} is assumed from the size of its numbers.</source>
+        <translation>文件给出的长度单位未知 ({0})；根据数值大小假定为 {1}。</translation>
+    </message>
+    <message>
+        <source>The file does not say which axis points up; {0} is a guess.</source>
+        <translation>文件没有说明哪个轴朝上；{0} 是推测。</translation>
+    </message>
+    <message>
+        <source>The new file has the markers alone, without {0}.</source>
+        <translation>新文件只有标记点，没有 {0}。</translation>
+    </message>
+    <message>
+        <source>analog data</source>
+        <translation>模拟数据</translation>
+    </message>
+    <message>
+        <source>model outputs</source>
+        <translation>模型输出</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>bones</source>
+        <translation>骨段</translation>
+    </message>
+    <message>
+        <source>the axis that points up</source>
+        <translation>朝上的轴</translation>
+    </message>
+    <message>
+        <source>The skeleton template {0} is left out: {1}.</source>
+        <translation>骨架模板 {0} 已略去：{1}。</translation>
+    </message>
+    <message>
+        <source>it is larger than 1 MB</source>
+        <translation>它大于 1 MB</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text</source>
+        <translation>它不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>它的嵌套太深</translation>
+    </message>
+    <message>
+        <source>it is not TOML: {0}</source>
+        <translation>它不是 TOML：{0}</translation>
+    </message>
+    <message>
+        <source>it has format {0}, and this version reads {1}</source>
+        <translation>其格式为 {0}，而此版本读取 {1}</translation>
+    </message>
+    <message>
+        <source>it is not written in JSON</source>
+        <translation>它不是以 JSON 写成的</translation>
+    </message>
+    <message>
+        <source>it is not a JSON document</source>
+        <translation>它不是 JSON 文档</translation>
+    </message>
+    <message>
+        <source>it is not of format {0}, which this version reads</source>
+        <translation>它不是此版本所读取的格式 {0}</translation>
+    </message>
+    <message>
+        <source>it has no list of repairs</source>
+        <translation>它没有修复列表</translation>
+    </message>
+    <message>
+        <source>it has no {0}</source>
+        <translation>它没有 {0}</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>它太大</translation>
+    </message>
+    <message>
+        <source>it does not say which file it belongs to</source>
+        <translation>它没有说明属于哪个文件</translation>
+    </message>
+    <message>
+        <source>it does not say which file was repaired</source>
+        <translation>它没有说明修复的是哪个文件</translation>
+    </message>
+    <message>
+        <source>a repair is not an object</source>
+        <translation>有一处修复不是对象</translation>
+    </message>
+    <message>
+        <source>the repair&apos;s {0} is missing or of another kind</source>
+        <translation>修复的 {0} 缺失或类型不符</translation>
+    </message>
+    <message>
+        <source>a number or a text of a repair is too large</source>
+        <translation>修复中有过大的数字或文本</translation>
+    </message>
+    <message>
+        <source>a donor is not a label</source>
+        <translation>有一个参考标记点不是名称</translation>
+    </message>
+    <message>
+        <source>a parameter is neither a number nor a text, nor a list of texts</source>
+        <translation>有一个参数既不是数字或文本，也不是文本列表</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>Search for an action or a key</source>
+        <translation>搜索命令或按键</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>新按键</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>设定</translation>
+    </message>
+    <message>
+        <source>Make this the only key of the action</source>
+        <translation>使其成为该命令的唯一按键</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Keep its other keys too</source>
+        <translation>同时保留其他按键</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>无按键</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Give the action its first keys again</source>
+        <translation>恢复该命令最初的按键</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>全部重置</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>命令及其按键</translation>
+    </message>
+    <message>
+        <source>3D view: drag to orbit, Shift+drag to move, wheel to zoom, click to pick, double-click to centre. Plots and timeline: drag to scrub, wheel to zoom, Shift+wheel to move, double-click a gap to go there; Ctrl+click adds a marker.</source>
+        <translation>三维视图：拖动旋转，Shift+拖动平移，滚轮缩放，点击选取，双击居中。曲线和时间线：拖动浏览，滚轮缩放，Shift+滚轮平移，双击缺失段可转到该处；Ctrl+点击可添加标记点。</translation>
+    </message>
+    <message>
+        <source>{0} (changed)</source>
+        <translation>{0}（已更改）</translation>
+    </message>
+    <message>
+        <source>{0} belongs to “{1}”. Choose another key, or change that one first.</source>
+        <translation>{0} 已属于“{1}”。请选择其他按键，或先更改那个命令。</translation>
+    </message>
+    <message>
+        <source>One of its first keys belongs to “{0}” now. Change that one first.</source>
+        <translation>其最初的按键之一现在属于“{0}”。请先更改那个命令。</translation>
+    </message>
+</context>
+<context>
+    <name>Survey</name>
+    <message>
+        <source>Ranking</source>
+        <translation>正在排序</translation>
+    </message>
+</context>
+<context>
+    <name>TimeActions</name>
+    <message>
+        <source>This recording has no events.</source>
+        <translation>此记录没有事件。</translation>
+    </message>
+    <message>
+        <source>No frames are selected: drag with Shift, or press I and O.</source>
+        <translation>没有选择帧：请按住 Shift 拖动，或按 I 和 O。</translation>
+    </message>
+    <message>
+        <source>No gap is chosen: press N for the next one.</source>
+        <translation>没有选择缺失段：按 N 转到下一个。</translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineMarks</name>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} frames, {1} s</source>
+        <translation>{0} 帧，{1} s</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineTexts</name>
+    <message>
+        <source>{0}: measured here</source>
+        <translation>{0}：此处为测量值</translation>
+    </message>
+    <message>
+        <source>{0}: repaired, frames {1} to {2}</source>
+        <translation>{0}：已修复，第 {1} 至 {2} 帧</translation>
+    </message>
+    <message>
+        <source>{0}: missing from frame {1} to {2}, {3} frames ({4} ms)</source>
+        <translation>{0}：第 {1} 至 {2} 帧缺失，共 {3} 帧 ({4} ms)</translation>
+    </message>
+    <message>
+        <source>{0}, frame {1}, {2} s</source>
+        <translation>{0}，第 {1} 帧，{2} s</translation>
+    </message>
+    <message>
+        <source>Frame {0}, {1} s: {2} of {3} markers are missing.</source>
+        <translation>第 {0} 帧，{1} s：{3} 个标记点中缺失 {2} 个。</translation>
+    </message>
+    <message>
+        <source>Current gap: {0}.</source>
+        <translation>当前缺失段：{0}。</translation>
+    </message>
+    <message>
+        <source>Selected: frames {0} to {1}.</source>
+        <translation>已选择：第 {0} 至 {1} 帧。</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Step {0} of {1}</source>
+        <translation>第 {0} 步，共 {1} 步</translation>
+    </message>
+    <message>
+        <source>Open a sample</source>
+        <translation>打开示例</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Welcome. Open a recording: drop a file here, or begin with a sample.</source>
+        <translation>欢迎。请打开一个记录：把文件拖到这里，或从示例开始。</translation>
+    </message>
+    <message>
+        <source>Each lane is a marker, orange is where it is missing. Press {0} to go to the next gap, or double-click one.</source>
+        <translation>每条轨道是一个标记点，橙色处为缺失。按 {0} 转到下一个缺失段，或双击任一缺失段。</translation>
+    </message>
+    <message>
+        <source>The yellow curve is the proposed repair with its 90 % band. Nothing is changed yet. {0} shows another method.</source>
+        <translation>黄色曲线是建议的修复及其 90 % 置信带。此时还没有任何改动。按 {0} 可查看另一种方法。</translation>
+    </message>
+    <message>
+        <source>Here is how far off the repair is expected to be. {0} applies it, {1} takes it back, and {2} repairs all gaps up to the limit.</source>
+        <translation>这里显示修复的预期误差。按 {0} 应用，按 {1} 撤销，按 {2} 修复限值内的全部缺失段。</translation>
+    </message>
+    <message>
+        <source>The Report tab compares before and after ({0}), the History tab goes back to any step ({1}).</source>
+        <translation>“报告”标签页比较修复前后 ({0})，“历史”标签页可回到任一步骤 ({1})。</translation>
+    </message>
+    <message>
+        <source>{0} writes a repaired copy in which nothing else changes, and proves it. {1} finds everything that the program can do.</source>
+        <translation>按 {0} 写出修复后的副本，其余内容不变，并加以验证。按 {1} 可找到程序的全部功能。</translation>
+    </message>
+</context>
+<context>
+    <name>TrackingPage</name>
+    <message>
+        <source>Tracked now</source>
+        <translation>当前跟踪率</translation>
+    </message>
+    <message>
+        <source>Mean so far</source>
+        <translation>累计平均</translation>
+    </message>
+    <message>
+        <source>Never lost</source>
+        <translation>从未丢失</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>节段</translation>
+    </message>
+    <message>
+        <source>What the curves count</source>
+        <translation>曲线统计的对象</translation>
+    </message>
+    <message>
+        <source>A segment is a group of markers that keep their distances to each other</source>
+        <translation>节段是一组彼此距离保持不变的标记点</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % before, {2} % after</source>
+        <translation>{0}：修复前 {1} %，修复后 {2} %</translation>
+    </message>
+    <message>
+        <source>before (dashed)</source>
+        <translation>修复前（虚线）</translation>
+    </message>
+    <message>
+        <source>after (solid)</source>
+        <translation>修复后（实线）</translation>
+    </message>
+</context>
+<context>
+    <name>TrainingBox</name>
+    <message>
+        <source>this recording</source>
+        <translation>此记录</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Browse for a training set</source>
+        <translation>浏览训练集</translation>
+    </message>
+    <message>
+        <source>Choose a training set</source>
+        <translation>选择训练集</translation>
+    </message>
+    <message>
+        <source>Training sets (*.npz)</source>
+        <translation>训练集 (*.npz)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>Trajectories</name>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Accel.</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Trajectory plots</source>
+        <translation>轨迹曲线</translation>
+    </message>
+    <message>
+        <source>Select a marker to see its trajectory</source>
+        <translation>选择标记点可查看其轨迹</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen to be plotted: press V</source>
+        <translation>没有选择要绘制的内容：请按 V</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Frame {0} · {1} s</source>
+        <translation>第 {0} 帧 · {1} s</translation>
+    </message>
+</context>
+<context>
+    <name>Transport</name>
+    <message>
+        <source>Playback speed</source>
+        <translation>播放速度</translation>
+    </message>
+    <message>
+        <source>Playback speed ([ and ])</source>
+        <translation>播放速度（[ 和 ]）</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>  Frame</source>
+        <translation>  帧</translation>
+    </message>
+</context>
+<context>
+    <name>Welcome</name>
+    <message>
+        <source>Open recordings (C3D, TRC, CSV, BVH, ASF/AMC, npz), or drop them here.</source>
+        <translation>打开记录（C3D、TRC、CSV、BVH、ASF/AMC、npz），或将文件拖到这里。</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Sample recordings</source>
+        <translation>示例记录</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>最近的文件</translation>
+    </message>
+    <message>
+        <source>{0} is gone</source>
+        <translation>{0} 已不存在</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>从列表中移除</translation>
+    </message>
+    <message>
+        <source>Remove {0} from the list</source>
+        <translation>从列表中移除 {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Workspace</name>
+    <message>
+        <source>Skeleton</source>
+        <translation>骨架</translation>
+    </message>
+    <message>
+        <source>This file has no analog channels.</source>
+        <translation>此文件没有模拟通道。</translation>
+    </message>
+    <message>
+        <source>Trails reach {0} s back and ahead.</source>
+        <translation>尾迹前后各 {0} s。</translation>
+    </message>
+    <message>
+        <source>This method takes no donors.</source>
+        <translation>此方法不使用参考标记点。</translation>
+    </message>
+    <message>
+        <source>{0} gaps filled, {1} left open.</source>
+        <translation>已填补 {0} 个缺失段，{1} 个未填补。</translation>
+    </message>
+    <message>
+        <source>Not exported yet.</source>
+        <translation>尚未导出。</translation>
+    </message>
+    <message>
+        <source>Edited since {0} was exported.</source>
+        <translation>导出 {0} 之后又有编辑。</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>模拟通道</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Queue</source>
+        <translation>队列</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>修复</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Repairs</source>
+        <translation>修复列表</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>{0} events</source>
+        <translation>{0} 个事件</translation>
+    </message>
+    <message>
+        <source>{0} analog channels</source>
+        <translation>{0} 个模拟通道</translation>
+    </message>
+    <message>
+        <source>{0} model outputs</source>
+        <translation>{0} 个模型输出</translation>
+    </message>
+    <message>
+        <source>This file has no marker samples: there is nothing to repair.
+
+It holds {0}.</source>
+        <translation>此文件没有标记点采样：没有可修复的内容。
+
+其中有 {0}。</translation>
+    </message>
+    <message>
+        <source>nothing that can be shown</source>
+        <translation>没有可显示的内容</translation>
+    </message>
+</context>
+</TS>
