@@ -2285,6 +2285,10 @@
         <translation>未填补</translation>
     </message>
     <message>
+        <source>beyond the limits</source>
+        <translation>超出限值</translation>
+    </message>
+    <message>
         <source>left open</source>
         <translation>保留未填</translation>
     </message>
@@ -2346,6 +2350,10 @@
     <message>
         <source>Open</source>
         <translation>未填补</translation>
+    </message>
+    <message>
+        <source>Beyond the limits</source>
+        <translation>超出限值</translation>
     </message>
     <message>
         <source>Left open</source>
@@ -4519,6 +4527,10 @@
         <translation>{0}，第 {1} 帧，{2} s</translation>
     </message>
     <message>
+        <source>The recording has no frames.</source>
+        <translation>此记录没有帧。</translation>
+    </message>
+    <message>
         <source>Frame {0}, {1} s: {2} of {3} markers are missing.</source>
         <translation>第 {0} 帧，{1} s：{3} 个标记点中缺失 {2} 个。</translation>
     </message>
@@ -4750,6 +4762,10 @@
     <message>
         <source>This method takes no donors.</source>
         <translation>此方法不使用参考标记点。</translation>
+    </message>
+    <message>
+        <source>Click markers to choose donors; D ends it.</source>
+        <translation>点击标记点以选择参考标记点；按 D 结束。</translation>
     </message>
     <message>
         <source>{0} gaps filled, {1} left open.</source>
