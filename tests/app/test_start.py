@@ -70,6 +70,8 @@ def test_without_a_display_the_window_says_so(
     assert capfd.readouterr().err.startswith("mocapmend: There is no display")
 
 
+# Each part is measured in a process of its own.
+@pytest.mark.timeout(900)
 @pytest.mark.parametrize("bench", ["io", "gui"])
 def test_a_benchmark_prints_its_table(
     bench: str, capsys: pytest.CaptureFixture[str], qtbot: QtBot

@@ -84,6 +84,7 @@ def test_without_mne_the_row_says_how_to_install_it(
     assert "pip install" in row.note
 
 
+@pytest.mark.timeout(600)
 def test_the_command_measures_one_part_alone() -> None:
     arguments = ["bench", "gui", "--runs", "1", "--frames", "2000", "--only", "memory"]
     done = subprocess.run(
