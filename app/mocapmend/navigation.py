@@ -3,7 +3,8 @@
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 
-from mocapmend_algorithms import Gap
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.fill.limits import default_frames
 
 
 def in_time_order(gaps: Iterable[Gap], frames: int) -> list[Gap]:
@@ -67,3 +68,24 @@ def neighbour_frame(ordered: Sequence[int], frame: int, step: int) -> int | None
     if step > 0:
         return ordered[bisect_right(ordered, frame) % len(ordered)]
     return ordered[bisect_left(ordered, frame) - 1]
+
+
+def place_to_begin(recording: Recording, gaps: Iterable[Gap]) -> Gap | None:
+    """Return the longest of the short gaps, in a frame and of a marker that show something.
+
+    Fragments of trajectories and frames without a body are no place to begin.
+    """
+    longest = default_frames(recording.rate)
+    short = (
+        gap
+        for gap in in_time_order(gaps, recording.frames)
+        if gap.length <= longest and gap.kind(recording.frames) == "interior"
+    )
+    fit = (
+        gap
+        for gap in sorted(short, key=lambda gap: -gap.length)
+        if not recording.labels[gap.marker].startswith("*")
+        and recording.present[:, gap.marker].mean() > 0.5
+        and recording.present[gap.start].mean() > 0.5
+    )
+    return next(fit, None)

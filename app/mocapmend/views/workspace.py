@@ -1,13 +1,12 @@
 """Everything that shows one document: the views around it, and what the user does to it."""
 
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QByteArray, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
-from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QSplitter, QTabWidget, QWidget
+from PySide6.QtWidgets import QLabel, QSplitter
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
@@ -15,9 +14,9 @@ from mocapmend.document import NO_SKELETON, Document, Edit
 from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
-from mocapmend.navigation import in_time_order
+from mocapmend.navigation import place_to_begin
 from mocapmend.prospects import Prospects
-from mocapmend.settings import LAYOUT, RANKING, TRAIL_SECONDS, Settings
+from mocapmend.settings import RANKING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
@@ -25,7 +24,7 @@ from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
-from mocapmend.views.pane_widths import PaneWidths
+from mocapmend.views.paned_window import PanedWindow
 from mocapmend.views.plan_pane import PlanPane
 from mocapmend.views.player import Player
 from mocapmend.views.plot_pane import PlotPane
@@ -42,15 +41,13 @@ from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Unfilled
-from mocapmend_algorithms.fill.limits import default_frames
 
-LAYOUT_VERSION = 5
 TAB_HEIGHT = 36
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
 
 
-class Workspace(QMainWindow):
+class Workspace(PanedWindow):
     """The views of a document; the window around it holds menus and files.
 
     Signals
@@ -72,12 +69,10 @@ class Workspace(QMainWindow):
         theme: Theme,
         actions: dict[str, QAction],
     ) -> None:
-        super().__init__()
-        self.setWindowFlags(Qt.WindowType.Widget)
+        super().__init__(settings)
         self.document = document
         document.setParent(self)
         self._jobs = jobs
-        self._settings = settings
         self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
         self._journal_timer = QTimer(self)
         self._journal_timer.setInterval(JOURNAL_MS)
@@ -117,12 +112,8 @@ class Workspace(QMainWindow):
         self._first: Gap | None = None
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
-        self._panes: list[QDockWidget] = []
-        self._put_away: list[QWidget] = []
-        self._first_layout = QByteArray()
         self._searching: Job | None = None
         self._arrange()
-        PaneWidths(self)
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.filling.started.connect(self._show_filling)
@@ -189,24 +180,6 @@ class Workspace(QMainWindow):
         """Whether all edits are exported."""
         return self.document.undo_stack.isClean()
 
-    def panes(self) -> list[QDockWidget]:
-        """Return the panes around the middle, in the order in which they were made."""
-        return self._panes
-
-    @property
-    def arranged(self) -> bool:
-        """Whether the panes are where the user had them last."""
-        return not self._first_layout.isEmpty()
-
-    def show_pane(self, content: QWidget) -> None:
-        """Bring a pane to the front and give it the keyboard."""
-        for pane in self._panes:
-            if pane.widget() is content:
-                pane.show()
-                pane.raise_()
-                # Later: what was behind another pane is enabled when it is seen.
-                QTimer.singleShot(0, content, content.setFocus)
-
     def show_analog(self) -> None:
         """Bring the analog channels to the front, where the file has some."""
         if self.analog is None:
@@ -214,47 +187,19 @@ class Workspace(QMainWindow):
         else:
             self.show_pane(self.analog)
 
-    def restore_first_layout(self) -> None:
-        """Put all panes back where they were when the program was new."""
-        self.restoreState(self._first_layout, LAYOUT_VERSION)
-
-    def save_layout(self) -> None:
-        """Remember where the panes are."""
-        if self.arranged:
-            self._settings.set(LAYOUT, self.layout_state())
-
-    def layout_state(self) -> bytes:
-        """Return where the panes are."""
-        return bytes(self.saveState(LAYOUT_VERSION).data())
-
-    def restore_layout(self, state: bytes) -> bool:
-        """Put the panes where `layout_state` had them; False if it is of another version."""
-        return self.restoreState(state, LAYOUT_VERSION)
-
     def leave(self) -> None:
         """Stand back: another recording is looked at."""
         self.player.pause()
         self.survey.stop()
         self.save_layout()
-        children = Qt.FindChildOption.FindDirectChildrenOnly
-        # Panes that float and dialogs are windows: they do not go with what they belong to.
-        self._put_away = [
-            each
-            for each in self.findChildren(QWidget, options=children)
-            if each.isWindow() and each.isVisible()
-        ]
-        for window in self._put_away:
-            window.hide()
+        self.put_windows_away()
 
     def enter(self) -> None:
         """Come to the front again, with the panes where the user had them last."""
-        for window in self._put_away:
-            window.show()
-        self._put_away = []
+        self.bring_windows_back()
         if self._settings.get(RANKING):
             self.survey.start()
-        if self.arranged:
-            self.restore_layout(self._settings.get(LAYOUT))
+        self.restore_last_layout()
 
     # --- the 3D view -------------------------------------------------------------------------
 
@@ -331,27 +276,11 @@ class Workspace(QMainWindow):
             self._journal_timer.stop()
 
     def _show_first_gap(self) -> None:
-        """Begin at the longest of the shorter gaps, with the whole recording in view."""
+        """Begin at a gap, with the whole recording in view."""
         original = self.document.original
-        ordered = in_time_order(self.document.gaps, original.frames)
-        longest = default_frames(original.rate)
-        within = [
-            gap
-            for gap in ordered
-            if gap.length <= longest and gap.kind(original.frames) == "interior"
-        ]
-        # Fragments of trajectories and frames without a body are no place to begin.
-        fit = (
-            gap
-            for gap in sorted(within, key=lambda gap: -gap.length)
-            if not original.labels[gap.marker].startswith("*")
-            and original.present[:, gap.marker].mean() > 0.5
-            and original.present[gap.start].mean() > 0.5
-        )
-        gap = next(fit, None)
-        self._first = gap
-        if gap is not None:
-            self._show_gap(gap)
+        self._first = place_to_begin(original, self.document.gaps)
+        if self._first is not None:
+            self._show_gap(self._first)
         elif original.markers:
             self.view.select((0,))
 
@@ -424,12 +353,10 @@ class Workspace(QMainWindow):
 
     def _arrange(self) -> None:
         areas = Qt.DockWidgetArea
-        self.setDockNestingEnabled(True)
-        self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
             if self.analog is not None:
-                self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
+                self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             return
         middle = QSplitter(Qt.Orientation.Horizontal)
         middle.addWidget(self.scene)
@@ -437,35 +364,23 @@ class Workspace(QMainWindow):
         middle.setSizes([420, 480])
         middle.setChildrenCollapsible(False)
         self.setCentralWidget(middle)
-        corners = Qt.Corner
-        self.setCorner(corners.BottomLeftCorner, areas.BottomDockWidgetArea)
-        self.setCorner(corners.BottomRightCorner, areas.BottomDockWidgetArea)
-        markers = self._dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
-        queue = self._dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        self._dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
-        timeline = self._dock(
+        markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
+        queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
+        self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        timeline = self.dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
-        repairs = self._dock(
-            "repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea
-        )
-        plan = self._dock("plan", self.tr("Plan"), self.plan, areas.BottomDockWidgetArea)
-        report = self._dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        history = self._dock(
-            "history", self.tr("History"), self.history, areas.BottomDockWidgetArea
-        )
+        repairs = self.dock("repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea)
+        plan = self.dock("plan", self.tr("Plan"), self.plan, areas.BottomDockWidgetArea)
+        report = self.dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
+        history = self.dock("history", self.tr("History"), self.history, areas.BottomDockWidgetArea)
         bottom = [timeline, plan, repairs, report, history]
         if self.analog is not None:
             bottom.append(
-                self._dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
+                self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             )
-        for tabs in ([queue, markers], bottom):
-            for before, tab in pairwise(tabs):
-                self.tabifyDockWidget(before, tab)
-            for tab in tabs:
-                # The tab says the name already.
-                tab.setTitleBarWidget(QWidget())
-            tabs[0].raise_()
+        self.share_place([queue, markers])
+        self.share_place(bottom)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -474,24 +389,11 @@ class Workspace(QMainWindow):
             QTimer.singleShot(0, self, self._size_panes)
 
     def _size_panes(self) -> None:
-        markers, _, repair, timeline, *_ = self._panes
+        markers, _, repair, timeline, *_ = self.panes()
         self.resizeDocks([markers, repair], [320, 280], Qt.Orientation.Horizontal)
         height = min(self.timeline.sizeHint().height(), self.height() // 4) + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
-        self._first_layout = self.saveState(LAYOUT_VERSION)
-        self.restoreState(self._settings.get(LAYOUT), LAYOUT_VERSION)
-
-    def _dock(
-        self, name: str, title: str, content: QWidget, area: Qt.DockWidgetArea
-    ) -> QDockWidget:
-        dock = QDockWidget(title)
-        dock.setObjectName(name)
-        dock.setWidget(content)
-        # A pane behind another one would take the keyboard unseen.
-        dock.visibilityChanged.connect(content.setEnabled)
-        self.addDockWidget(area, dock)
-        self._panes.append(dock)
-        return dock
+        self.remember_first_layout()
 
     def _nothing_to_repair(self) -> QLabel:
         source = self.document.source
