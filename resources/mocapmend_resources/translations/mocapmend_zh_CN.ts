@@ -2656,7 +2656,7 @@
     </message>
     <message>
         <source>, 90 % within {0} mm</source>
-        <translation>，90 % 在 {0} mm 内</translation>
+        <translation>，90&#xa0;%&#xa0;在&#xa0;{0}&#xa0;mm&#xa0;内</translation>
     </message>
     <message>
         <source>Donors: {0}</source>
