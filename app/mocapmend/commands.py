@@ -24,7 +24,9 @@ class EditSamples(QUndoCommand):
         super().__init__(text)
         self._document = document
         self._after = tuple(edits)
-        self._before = tuple(document.read_runs([edit.gap for edit in edits]))
+        # Of ten thousand runs the edits are not made before they are needed.
+        self._read = document.read_runs([edit.gap for edit in edits])
+        self._before: tuple[Edit, ...] = ()
 
     @property
     def edits(self) -> tuple[Edit, ...]:
@@ -37,4 +39,5 @@ class EditSamples(QUndoCommand):
 
     def undo(self) -> None:
         """Write the old runs back."""
+        self._before = self._before or tuple(self._read)
         self._document.apply(self._before)

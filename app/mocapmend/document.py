@@ -163,6 +163,10 @@ class Document(QObject):
         self.found_skeleton = skeleton
         self.skeleton_changed.emit()
 
+    def get_ready(self) -> None:
+        """Prepare for the first edit, in a thread."""
+        self._samples.prepare()
+
     @property
     def repairable(self) -> bool:
         """Whether there are markers and frames; some files hold analog data or events alone."""
@@ -273,11 +277,17 @@ class Document(QObject):
         return next(self.read_runs((gap,)))
 
     def read_runs(self, runs: Sequence[Gap]) -> Iterator[Edit]:
-        """Yield for each run what it holds now, as the edit that would restore it."""
+        """Return for each run what it holds now, as the edit that would restore it.
+
+        It is read now; the edits are made as they are asked for.
+        """
         places = places_of(runs)
         values, states = self.points[places], self._state[places]
-        for gap, own in zip(runs, shares_of(runs), strict=True):
-            yield Edit(gap, values[own], states[own], self.repairs.get(gap))
+        repairs = [self.repairs.get(gap) for gap in runs]
+        return (
+            Edit(gap, values[own], states[own], repair)
+            for gap, own, repair in zip(runs, shares_of(runs), repairs, strict=True)
+        )
 
     def apply(self, edits: Sequence[Edit]) -> None:
         """Write runs of samples. For undo commands alone."""

@@ -46,13 +46,17 @@ class Recorder:
         self._tell = tell
         self._file: JournalFile | None = None
         self._subject: Subject | None = None
-        # The checksum of a long recording takes a while, and the first edit needs it.
-        self._describing = Thread(target=self._describe, name="journal")
-        self._describing.start()
+        self._describing: Thread | None = None
         self._writing: Thread | None = None
         self._error: OSError | None = None
         self._index = 0
         self._off = False
+
+    def get_ready(self) -> None:
+        """Describe the recording in a thread: its checksum takes a while, and an edit needs it."""
+        if self._describing is None:
+            self._describing = Thread(target=self._describe, name="journal")
+            self._describing.start()
 
     def resume(self, file: JournalFile, history: History) -> None:
         """Go on with the journal whose edits were recovered."""
@@ -118,6 +122,8 @@ class Recorder:
 
     def _described(self) -> Subject:
         """Return the recording's description, once it is complete."""
+        self.get_ready()
+        assert self._describing is not None
         self._describing.join()
         assert self._subject is not None
         return self._subject

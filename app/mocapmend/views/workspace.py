@@ -43,6 +43,7 @@ from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Unfilled
 
 TAB_HEIGHT = 36
+BEGIN_MS = 50
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
 
@@ -135,10 +136,21 @@ class Workspace(PanedWindow):
         self.filling.message.connect(self.message)
         self._show_proof()
         self._show_first_gap()
-        if settings.get(RANKING):
-            self.survey.start()
-        if document.found_skeleton is None:
+        # What goes on in the background must not hold up the first picture.
+        self._begin_timer = QTimer(self)
+        self._begin_timer.setSingleShot(True)
+        self._begin_timer.setInterval(BEGIN_MS)
+        self._begin_timer.timeout.connect(self._begin)
+        self._begin_timer.start()
+
+    def _begin(self) -> None:
+        """Begin with what goes on by itself."""
+        self.document.get_ready()
+        self.recorder.get_ready()
+        if self.document.found_skeleton is None:
             self._search_skeleton()
+        if self._settings.get(RANKING) and self.isVisible() and self.filling.job is None:
+            self.survey.start()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -149,6 +161,7 @@ class Workspace(PanedWindow):
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
+        self._begin_timer.stop()
         self.player.pause()
         self.previewer.stop()
         self.survey.stop()
@@ -197,7 +210,7 @@ class Workspace(PanedWindow):
     def enter(self) -> None:
         """Come to the front again, with the panes where the user had them last."""
         self.bring_windows_back()
-        if self._settings.get(RANKING):
+        if self._settings.get(RANKING) and not self._begin_timer.isActive():
             self.survey.start()
         self.restore_last_layout()
 
