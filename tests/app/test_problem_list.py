@@ -64,7 +64,7 @@ def test_edits_and_decisions_are_seen_when_it_is_taken_anew(document: Document) 
     assert problems.problem(before).status is Status.OPEN
     problems.take()
     found = {gap: problems.problem(place).status for place, gap in enumerate(problems.gaps)}
-    assert found == {SHORT: Status.REPAIRED, LATE: Status.NEVER, LONG: Status.LEFT}
+    assert found == {SHORT: Status.REPAIRED, LATE: Status.NEVER, LONG: Status.BEYOND}
     made = problems.problem(problems.gaps.index(SHORT))
     assert (made.error, made.tried) == (pytest.approx(2.0), True)
     document.apply([Edit.clear(SHORT)])
