@@ -80,5 +80,6 @@ def test_a_benchmark_prints_its_table(
     document = json.loads(capsys.readouterr().out)
     assert document["schema"] == 1
     assert document["command"] == f"bench {bench}"
-    assert all(row["figure"] > 0 for row in document["rows"])
+    # Where MNE-Qt-Browser is not installed, its row says so.
+    assert all(row["note"] or row["figure"] > 0 for row in document["rows"])
     assert any(row["ratio"] is not None and row["target"] for row in document["rows"])
