@@ -8,7 +8,7 @@ from typing import Any
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files.atomic import write_bytes
-from mocapmend.files.opening import open_file
+from mocapmend.files.opening import read_whole
 from mocapmend.files.provenance import PROGRAM, decode_document
 from mocapmend.prospects import Way
 from mocapmend_algorithms.fill import registry
@@ -71,12 +71,8 @@ def read_plan(path: Path) -> Plan:
     MocapmendError
         If it is not one.
     """
-    with open_file(path) as (stream, stamp):
-        if stamp.size > MOST_BYTES:
-            raise _no_plan(path, "it is too large")
-        raw = stream.read()
     try:
-        return _decode(decode_document(raw, KEY))
+        return _decode(decode_document(read_whole(path, MOST_BYTES), KEY))
     except (KeyError, ValueError) as error:
         raise _no_plan(path, str(error.args[0])) from None
 

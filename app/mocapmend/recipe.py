@@ -18,7 +18,7 @@ from mocapmend.engine import Changes, fill_anyway, record
 from mocapmend.errors import MocapmendError
 from mocapmend.files import RepairRecord, SampleRun, Source
 from mocapmend.files.atomic import write_bytes
-from mocapmend.files.opening import open_file
+from mocapmend.files.opening import read_whole
 from mocapmend.files.provenance import (
     PROGRAM,
     decode_document,
@@ -109,12 +109,8 @@ def read_recipe(path: Path) -> Recipe:
     MocapmendError
         If it is not one.
     """
-    with open_file(path) as (stream, stamp):
-        if stamp.size > MOST_BYTES:
-            raise _no_recipe(path, "it is too large")
-        raw = stream.read()
     try:
-        return _decode(raw)
+        return _decode(read_whole(path, MOST_BYTES))
     except ValueError as error:
         raise _no_recipe(path, str(error)) from None
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from PySide6.QtCore import SIGNAL
 
-from mocapmend.actions import ACTIONS, MENUS, key_texts
+from mocapmend.action_table import ACTIONS, MENUS
+from mocapmend.actions import key_texts
 from mocapmend.views.main_window import MainWindow
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from pytestqt.qtbot import QtBot
 
-from mocapmend.actions import ACTIONS
+from mocapmend.action_table import ACTIONS
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.palette import Palette
 from mocapmend.views.palette_entries import Entry, entries

@@ -8,7 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from pytestqt.qtbot import QtBot
 
-from mocapmend.actions import ACTIONS, key_texts, text_of
+from mocapmend.action_table import ACTIONS
+from mocapmend.actions import key_texts, text_of
 from mocapmend.settings import SHORTCUTS, Settings
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.main_window import MainWindow

@@ -40,6 +40,22 @@ def too_large(where: str) -> MocapmendError:
     return MocapmendError("The recording does not fit into memory.", where, "Close other programs.")
 
 
+def read_whole(path: Path, most_bytes: int) -> bytes:
+    """Return what a small file holds.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be read.
+    ValueError
+        If it is larger than it can be.
+    """
+    with open_file(path) as (stream, stamp):
+        if stamp.size > most_bytes:
+            raise ValueError("it is too large")
+        return stream.read()
+
+
 @contextmanager
 def open_file(path: Path) -> Iterator[tuple[FileIO, Stamp]]:
     """Open a file for reading.

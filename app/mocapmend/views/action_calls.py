@@ -126,7 +126,7 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
 """By action id."""
 
 SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
-    "compare": lambda w, on: w.set_comparing(on),
+    "compare": lambda w, on: w.repair.set_comparing(on),
     "pick_donors": lambda w, on: w.pick_donors(on),
     "follow": lambda w, on: w.scene.set_follow(on),
     "sticks": lambda w, on: w.scene.set_layer("sticks", on),

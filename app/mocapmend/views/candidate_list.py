@@ -14,12 +14,11 @@ from PySide6.QtWidgets import (
 from mocapmend.document import Document
 from mocapmend.prospects import Preview
 from mocapmend.views.engine_texts import method_name, shown
-from mocapmend.views.tables import dress, narrow
+from mocapmend.views.tables import RIGHT, dress, narrow
 from mocapmend.viewstate import ViewState
 
 METHODS = ("auto", "local-frame", "pca-r2", "rigid", "kalman", "cubic", "linear")
 """Compared for every gap: quick ones of each kind. Their places are the keys that choose them."""
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class CandidateList(QTableWidget):

@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend import __version__
-from mocapmend.actions import ACTIONS, make_actions
+from mocapmend.action_table import ACTIONS
+from mocapmend.actions import make_actions
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Jobs
 from mocapmend.log import log_path

@@ -8,7 +8,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from mocapmend.actions import ACTIONS, MENUS, ActionSpec, menu_title, submenu_of
+from mocapmend.action_table import ACTIONS, MENUS, ActionSpec
+from mocapmend.actions import menu_title, submenu_of
 from mocapmend.views import appearance, language
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication
 
-from mocapmend.actions import ACTIONS, ActionSpec, key_texts, menu_name, submenu_of
+from mocapmend.action_table import ACTIONS, ActionSpec
+from mocapmend.actions import key_texts, menu_name, submenu_of
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow

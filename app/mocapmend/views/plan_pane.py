@@ -23,14 +23,21 @@ from mocapmend.views.filling import Filling
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, Index
 from mocapmend.views.repair_panel import RepairPanel
-from mocapmend.views.tables import INDENT, Indented, dress, in_sight, narrow
+from mocapmend.views.tables import (
+    INDENT,
+    LEFT,
+    RIGHT,
+    Indented,
+    dress,
+    frames_text,
+    in_sight,
+    narrow,
+)
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult
 
 DELAY_MS = 60
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 class Outcome(Enum):
@@ -107,12 +114,11 @@ class PlanModel(QAbstractTableModel):
 
     def _text(self, row: _Row, column: int) -> str:
         original = self._document.original
-        first, last = row.gap.start + original.first_frame, row.gap.stop - 1 + original.first_frame
         match column:
             case 0:
                 return self._document.names[row.gap.marker]
             case 1:
-                return str(first) if first == last else f"{first} – {last}"
+                return frames_text(row.gap, original.first_frame)
             case 2:
                 ms = round(1000.0 * row.gap.length / original.rate)
                 return self.tr("{0} ({1} ms)").format(row.gap.length, ms)

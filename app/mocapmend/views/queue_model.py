@@ -14,10 +14,9 @@ from mocapmend.prospects import Prospects
 from mocapmend.ranking import Problem, Status
 from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
+from mocapmend.views.tables import LEFT, RIGHT, frames_text
 from mocapmend_algorithms import Gap
 
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 CENTRE = Qt.AlignmentFlag.AlignCenter
 
 
@@ -261,8 +260,7 @@ class QueueModel(QAbstractTableModel):
             case Column.CONTEXT:
                 return self._context(gap)
             case Column.PLACE:
-                first, last = self._numbers(gap)
-                return str(first) if first == last else f"{first} – {last}"
+                return frames_text(gap, self._document.original.first_frame)
 
     def _error_text(self, problem: Problem) -> str:
         if not problem.tried:
@@ -284,7 +282,8 @@ class QueueModel(QAbstractTableModel):
 
     def _tip(self, problem: Problem) -> str:
         gap, best = problem.gap, problem.best
-        first, last = self._numbers(gap)
+        first = self._document.original.first_frame + gap.start
+        last = first + gap.length - 1
         lines = [
             self.tr("{0}, frames {1} to {2}: {3}").format(
                 self._document.original.labels[gap.marker],
@@ -300,10 +299,6 @@ class QueueModel(QAbstractTableModel):
         elif problem.tried and problem.status < Status.REPAIRED:
             lines.append(self.tr("No repair that was tried could be tested here"))
         return "\n".join(lines)
-
-    def _numbers(self, gap: Gap) -> tuple[int, int]:
-        first = self._document.original.first_frame
-        return gap.start + first, gap.stop - 1 + first
 
     def _ms(self, gap: Gap) -> float:
         return 1000.0 * gap.length / self._document.original.rate

@@ -17,13 +17,11 @@ from mocapmend.document import Document, Repair
 from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
-from mocapmend.views.tables import INDENT, Indented, dress, narrow
+from mocapmend.views.tables import INDENT, LEFT, RIGHT, Indented, dress, frames_text, narrow
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.registry import METHODS
 
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 NUMBERS = {1, 2, 4}
 """Columns that are aligned at the right."""
 INDENTED = {3, 5}
@@ -96,12 +94,10 @@ class RepairModel(QAbstractTableModel):
         return keys.get(column, self._text(gap, repair, column))
 
     def _text(self, gap: Gap, repair: Repair, column: int) -> str:
-        first = self._document.original.first_frame
         error = repair.patch.expected_error * self._document.original.mm
-        last = gap.stop - 1 + first
         texts = (
             self._document.names[gap.marker],
-            f"{gap.start + first} – {last}" if gap.length > 1 else str(last),
+            frames_text(gap, self._document.original.first_frame),
             str(gap.length),
             method_name(repair.method),
             f"{error:.1f} mm" if np.isfinite(error) else "—",

@@ -16,11 +16,9 @@ from mocapmend.report import MarkerRow, Report
 from mocapmend.report.tables import filled_by, number, percent
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
-from mocapmend.views.tables import INDENT, Indented, dress
+from mocapmend.views.tables import INDENT, LEFT, RIGHT, Indented, dress
 from mocapmend.viewstate import ViewState
 
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 FILLED_BY = 10
 TEXTS = {0, FILLED_BY}
 WIDEST_MARKER = 200

@@ -5,7 +5,8 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction, QKeySequence
 
-from mocapmend.actions import ACTIONS, set_keys, standard_keys, text_of
+from mocapmend.action_table import ACTIONS
+from mocapmend.actions import set_keys, standard_keys, text_of
 from mocapmend.settings import SHORTCUTS, Settings
 
 _SPECS = {spec.id: spec for spec in ACTIONS}

@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from mocapmend.actions import ACTIONS, menu_name, submenu_of, text_of
+from mocapmend.action_table import ACTIONS
+from mocapmend.actions import menu_name, submenu_of, text_of
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.shortcuts import Shortcuts
 from mocapmend.views.tables import dress

@@ -11,12 +11,22 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from mocapmend_algorithms import Gap
+
 DIGITS = "0123456789"
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 def in_sight(widget: QWidget) -> bool:
     """Say whether any of a widget can be seen: what is behind another tab is visible for Qt."""
     return widget.isVisible() and not widget.visibleRegion().isEmpty()
+
+
+def frames_text(gap: Gap, first_frame: int) -> str:
+    """Write the frames of a gap as the file counts them, beginning with `first_frame`."""
+    first, last = gap.start + first_frame, gap.stop - 1 + first_frame
+    return str(first) if first == last else f"{first} – {last}"
 
 
 def dress(table: QTableView) -> None:

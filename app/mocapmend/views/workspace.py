@@ -240,10 +240,6 @@ class Workspace(PanedWindow):
         self.show_pane(self.plan)
         self.plan.compute()
 
-    def set_comparing(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
-        """Compare several repairs of the current gap, or show the chosen one alone."""
-        self.repair.set_comparing(on)
-
     def pick_donors(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
         """Let clicks on markers choose donors."""
         if on and not self.repair.takes_donors:
