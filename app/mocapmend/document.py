@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from mocapmend.files import Source
+from mocapmend.files.records import NEVER_FILLED
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import Changed, SharedRecording
@@ -101,7 +102,8 @@ class Edit:
 class Document(QObject):
     """A recording that is being repaired.
 
-    Repairs that the file had when it was opened are repairs here too: they can be reverted.
+    Repairs that the file had when it was opened are repairs here too: they can be reverted. So do
+    gaps that it keeps open stay so, until they are freed.
 
     Samples change only through `apply`, which undo commands call; every change raises `revision`
     and is announced by `samples_changed` with the tuple of changed runs.
@@ -135,6 +137,10 @@ class Document(QObject):
         """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
         self.set_aside: set[Gap] = set()
         """Those of them that the user has looked at and left open."""
+        self.never_reasons = {
+            gap: kept.reason for gap, kept in source.kept_open.items() if kept.never
+        }
+        """Why gaps shall never be filled, where more is known than that."""
         self.names = short_names(source.recording.labels)
         self._samples = WorkingCopy(source.recording.points)
         # Trajectories are what is looked through: in memory each is one piece.
@@ -144,6 +150,12 @@ class Document(QObject):
         self._state[~source.recording.present] = SampleState.MISSING
         for gap in self.repairs:
             self._state[gap.start : gap.stop, gap.marker] = SampleState.FILLED
+        for gap, kept in source.kept_open.items():
+            if kept.never:
+                self._state[gap.start : gap.stop, gap.marker] = SampleState.NEVER
+            else:
+                self.left_open[gap] = kept.reason
+                self.set_aside.add(gap)
         self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
         self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
         self._all_gaps: list[Gap] | None = None
@@ -206,6 +218,10 @@ class Document(QObject):
         """The gaps that shall never be filled, by marker and start."""
         markers = range(self.original.markers)
         return [gap for marker in markers for gap in self.never_of(marker)]
+
+    def never_reason(self, gap: Gap) -> str:
+        """Return why a gap shall never be filled."""
+        return self.never_reasons.get(gap, NEVER_FILLED)
 
     def gap_near(self, marker: int, frame: float, reach: float = 0.0) -> Gap | None:
         """Return the gap of a marker, open or not, at a frame or nearest within a reach."""
@@ -316,7 +332,14 @@ class Document(QObject):
         frames, markers = places = places_of(self._written)
         covered = np.isin(self._state[places], ABSENT) & self.original.present[places]
         rest = frames[~covered], markers[~covered]
-        return Unsaved(self.source, rest, self._samples.current[rest], dict(self.repairs))
+        return Unsaved(
+            source=self.source,
+            places=rest,
+            values=self._samples.current[rest],
+            repairs=dict(self.repairs),
+            never={gap: self.never_reason(gap) for gap in self.never},
+            set_aside={gap: self.left_open[gap] for gap in self.gaps if gap in self.set_aside},
+        )
 
     def repair_rows(self) -> list[RepairRow]:
         """Return what was repaired and how well, for reports."""

@@ -12,6 +12,7 @@ from mocapmend import report, training, user_templates
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
+    KeptGap,
     Provenance,
     RepairRecord,
     SampleRun,
@@ -226,20 +227,25 @@ class Changes:
         The samples that change.
     repairs : tuple of RepairRecord
         All repairs that the copy has, earlier ones included.
+    kept_open : tuple of KeptGap
+        All gaps that are kept open in it.
     """
 
     runs: tuple[SampleRun, ...]
     repairs: tuple[RepairRecord, ...]
+    kept_open: tuple[KeptGap, ...] = ()
 
 
 def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
-    """Return what a fill changes in a file; its earlier repairs stay."""
+    """Return what a fill changes in a file; its earlier repairs and open gaps stay."""
     runs = [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
     new = [
         record(source, patch, method_id, params, result.donors(patch.gap))
         for patch in result.patches
     ]
-    return Changes(tuple(runs), (*source.repairs, *new))
+    filled = {patch.gap for patch in result.patches}
+    kept = [entry for gap, entry in source.kept_open.items() if gap not in filled]
+    return Changes(tuple(runs), (*source.repairs, *new), tuple(kept))
 
 
 def record(
@@ -250,12 +256,9 @@ def record(
     donors: tuple[str, ...] = (),
 ) -> RepairRecord:
     """Describe a repair for the repair record."""
-    recording, gap = source.recording, patch.gap
+    recording = source.recording
     return RepairRecord(
-        marker=recording.labels[gap.marker],
-        point=source.stored_points[gap.marker] + 1,
-        first_frame=recording.first_frame + gap.start,
-        last_frame=recording.first_frame + gap.stop - 1,
+        *_place(source, patch.gap),
         method=method_id,
         parameters=(
             dict(params)
@@ -266,6 +269,18 @@ def record(
         expected_error_mm=patch.expected_error * recording.mm,
         r90_mm=patch.typical_r90 * recording.mm,
     )
+
+
+def kept_gap(source: Source, gap: Gap, *, never: bool, reason: str) -> KeptGap:
+    """Describe a gap that is kept open for the repair record."""
+    return KeptGap(*_place(source, gap), never=never, reason=reason)
+
+
+def _place(source: Source, gap: Gap) -> tuple[str, int, int, int]:
+    """Return marker, point, first and last frame of a gap as a repair record has them."""
+    recording = source.recording
+    first, last = recording.first_frame + gap.start, recording.first_frame + gap.stop - 1
+    return recording.labels[gap.marker], source.stored_points[gap.marker] + 1, first, last
 
 
 def repaired(recording: Recording, result: FillResult) -> Recording:
@@ -347,6 +362,7 @@ def export(
             source.recording.with_points(points),
             changes.repairs,
             out,
+            kept_open=changes.kept_open,
             replace_source=replace_source,
             accept_truncated=accept_truncated,
             progress=progress,
@@ -373,6 +389,7 @@ def export(
         changes.runs,
         out,
         repairs=changes.repairs,
+        kept_open=changes.kept_open,
         replace_source=replace_source,
         accept_truncated=accept_truncated,
         progress=lambda share: progress(0.3 * share),

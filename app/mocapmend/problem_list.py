@@ -89,7 +89,7 @@ class ProblemList:
         """Return what is at a place."""
         document, gap, status = self._document, self.gaps[place], Status(self.status[place])
         if status is Status.NEVER:
-            return Problem(gap, status, tried=True)
+            return Problem(gap, status, reason=document.never_reason(gap), tried=True)
         if status is Status.REPAIRED:
             return Problem(gap, status, _made(gap, self._repairs[gap]), tried=True)
         best, reason = self._prospects.best(gap), document.left_open.get(gap, "")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from mocapmend import engine
 from mocapmend.engine import Changes, Exported
-from mocapmend.files import RepairRecord, Source
+from mocapmend.files import KeptGap, RepairRecord, Source
 from mocapmend.written import Places, differing_runs
 from mocapmend_algorithms import Gap, Progress
 
@@ -32,17 +32,21 @@ class Unsaved:
         What is there, NaN where missing.
     repairs : mapping of Gap to Repair
         Earlier ones included.
+    never, set_aside : mapping of Gap to str
+        Gaps that shall never be filled, and that the user left open, with the reasons.
     """
 
     source: Source
     places: Places
     values: NDArray[np.float64]
     repairs: "Mapping[Gap, Repair]"
+    never: Mapping[Gap, str]
+    set_aside: Mapping[Gap, str]
 
     def changes(self) -> Changes:
         """Return what differs from the file."""
         runs = differing_runs(self.values, self.source.recording.points, self.places)
-        return Changes(tuple(runs), self.records())
+        return Changes(tuple(runs), self.records(), self.kept_open())
 
     def records(self) -> tuple[RepairRecord, ...]:
         """Return all repairs as the repair record has them."""
@@ -50,6 +54,21 @@ class Unsaved:
             engine.record(self.source, made.patch, made.method, made.params, donors=made.donors)
             for _, made in sorted(self.repairs.items(), key=lambda item: item[0])
         )
+
+    def kept_open(self) -> tuple[KeptGap, ...]:
+        """Return the gaps that are kept open as the repair record has them."""
+        kept = {self._missing(gap): (True, reason) for gap, reason in self.never.items()}
+        kept |= {self._missing(gap): (False, reason) for gap, reason in self.set_aside.items()}
+        return tuple(
+            engine.kept_gap(self.source, gap, never=kept[gap][0], reason=kept[gap][1])
+            for gap in sorted(kept)
+        )
+
+    def _missing(self, gap: Gap) -> Gap:
+        """Return a gap without the measured samples that its ends cover: the file keeps these."""
+        present = self.source.measured.present[gap.start : gap.stop, gap.marker]
+        gone = gap.start + np.flatnonzero(~present)
+        return Gap(gap.marker, int(gone[0]), int(gone[-1]) + 1)
 
 
 def export(
@@ -82,4 +101,6 @@ def write_recipe(unsaved: Unsaved, path: Path, progress: Progress) -> None:
     # Not at the top: the window starts without it.
     from mocapmend import recipe
 
-    recipe.write_recipe(unsaved.source, unsaved.records(), path, progress)
+    recipe.write_recipe(
+        unsaved.source, unsaved.records(), path, progress, kept_open=unsaved.kept_open()
+    )

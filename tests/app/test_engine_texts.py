@@ -30,7 +30,7 @@ SPOKEN = (
     *sorted((ROOT / "app/mocapmend/journal").rglob("*.py")),
     *(
         ROOT / f"app/mocapmend/{name}.py"
-        for name in ("engine", "jobs", "plan", "recipe", "training", "user_templates")
+        for name in ("engine", "jobs", "plan", "recipe", "replaying", "training", "user_templates")
     ),
     ROOT / "app/mocapmend/report/writing.py",
     ROOT / "app/mocapmend/views/recovery.py",

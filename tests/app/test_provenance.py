@@ -26,7 +26,8 @@ from mocapmend.files.c3d_group import NAME, encode_group
 from mocapmend.files.c3d_head import free_group, insert_group, leading_blocks, remove_group
 from mocapmend.files.c3d_layout import read_layout
 from mocapmend.files.c3d_numbers import Processor
-from mocapmend.files.provenance import Provenance, line
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.records import line
 from mocapmend.files.sidecar import hash_file, sidecar_path
 from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits

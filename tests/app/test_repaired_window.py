@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from mocapmend.files import check_files, read_c3d
-from mocapmend.files.provenance import line
+from mocapmend.files.records import line
 from mocapmend.files.sidecar import sidecar_path
 from mocapmend.report import summarise
 from mocapmend.settings import Settings

@@ -11,10 +11,10 @@ from c3d_synthetic import Synthetic, encode, walk
 from recording_samples import NO_LIMITS
 from taught import TaughtParams, install, ship, write_set
 
-from mocapmend import engine, recipe, training
+from mocapmend import engine, recipe, replaying, training
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, read_c3d, read_recording
-from mocapmend.files.provenance import line
+from mocapmend.files.records import line
 from mocapmend_algorithms import find_gaps, no_progress
 from mocapmend_algorithms.sparse.training_set import TrainingSetError
 from mocapmend_resources import training as shipped
@@ -137,7 +137,7 @@ def write_recipe(source: Source, name: str) -> Path:
 
 
 def replay(source: Source, path: Path) -> engine.Changes:
-    return recipe.replay(source, recipe.read_recipe(path), no_progress)
+    return replaying.replay(source, recipe.read_recipe(path), no_progress)
 
 
 @pytest.mark.parametrize("name", ["walks", "mine.npz"])

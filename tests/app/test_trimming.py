@@ -8,7 +8,7 @@ from holes import HOLES
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from mocapmend import recipe
+from mocapmend import recipe, replaying
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.engine import export, fill_gap, load
@@ -83,7 +83,7 @@ def test_a_repair_with_cut_ends_is_exported_checked_and_replayed(
     written = tmp_path / "recipe.json"
     recipe.write_recipe(document.source, document.unsaved().records(), written)
     again = tmp_path / "again.c3d"
-    made = recipe.replay(document.source, recipe.read_recipe(written), no_progress)
+    made = replaying.replay(document.source, recipe.read_recipe(written), no_progress)
     export(document.source, made, again, False, False, no_progress)
     assert again.read_bytes() == out.read_bytes()
 

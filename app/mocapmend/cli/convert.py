@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     console.start("Writing")
     exported = engine.export(
         source,
-        engine.Changes((), source.repairs),
+        engine.Changes((), source.repairs, tuple(source.kept_open.values())),
         out,
         replace_source=False,
         accept_truncated=arguments.accept_truncated,

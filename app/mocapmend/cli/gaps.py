@@ -1,7 +1,7 @@
 """List the gaps of a file: runs of frames in which a marker is missing.
 
 With --rank, repairs are tried on all of them, and the gaps come in the order of the expected harm:
-expected error of the best repair times missing frames.
+expected error of the best repair times missing frames. Gaps that are never to be filled come last.
 """
 
 import argparse
@@ -11,7 +11,7 @@ import numpy as np
 
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.files import read_recording
+from mocapmend.files import Source, read_recording
 from mocapmend.ranking import Problem, Status, rank
 from mocapmend_algorithms import Recording, find_gaps
 
@@ -34,10 +34,13 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     problems = [Problem(gap, Status.OPEN) for gap in gaps]
     if arguments.rank:
         console.start("Ranking")
-        problems = rank(source.measured, gaps, console.progress)
+        never = [gap for gap in gaps if gap in source.kept_open and source.kept_open[gap].never]
+        rest = [gap for gap in gaps if gap not in set(never)]
+        problems = rank(source.measured, rest, console.progress)
+        problems += [Problem(gap, Status.NEVER) for gap in never]
     console.result(
         **common.facts(source),
-        gaps=[_as_json(recording, problem, ranked=arguments.rank) for problem in problems],
+        gaps=[_as_json(source, problem, ranked=arguments.rank) for problem in problems],
         missing_samples=missing,
         markers_with_gaps=len({gap.marker for gap in gaps}),
     )
@@ -47,6 +50,9 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         if arguments.rank:
             headers += (">Error", ">Harm", "Best")
             rows = [(*row, *_rank(recording, p)) for row, p in zip(rows, problems, strict=True)]
+        if source.kept_open:
+            headers += ("Kept open",)
+            rows = [(*row, _why(source, p)) for row, p in zip(rows, problems, strict=True)]
         console.table(headers, rows)
     console.say(
         f"{common.count(len(gaps), 'gap')}, {common.count(missing, 'missing sample')} "
@@ -55,13 +61,15 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     return 0
 
 
-def _as_json(recording: Recording, problem: Problem, *, ranked: bool) -> dict[str, Any]:
-    gap, best = problem.gap, problem.best
+def _as_json(source: Source, problem: Problem, *, ranked: bool) -> dict[str, Any]:
+    recording, gap, best = source.recording, problem.gap, problem.best
+    kept = source.kept_open.get(gap)
     described = {
         **common.place(recording, gap),
         "length_frames": gap.length,
         "length_ms": common.milliseconds(recording, gap),
         "kind": gap.kind(recording.frames),
+        "kept_open": None if kept is None else {"never": kept.never, "reason": kept.reason},
     }
     if ranked:
         described |= {
@@ -81,6 +89,11 @@ def _row(recording: Recording, problem: Problem) -> tuple[str, ...]:
         f"{common.milliseconds(recording, gap):.0f}",
         gap.kind(recording.frames),
     )
+
+
+def _why(source: Source, problem: Problem) -> str:
+    kept = source.kept_open.get(problem.gap)
+    return "" if kept is None else kept.reason
 
 
 def _rank(recording: Recording, problem: Problem) -> tuple[str, ...]:

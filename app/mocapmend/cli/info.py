@@ -39,6 +39,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
             ],
         )
     _show_repairs(source, console)
+    _show_kept_open(source, console)
     return 0
 
 
@@ -63,6 +64,28 @@ def _show_repairs(source: Source, console: Console) -> None:
     )
     if len(repairs) > common.MOST_ROWS:
         console.say(f"and {len(repairs) - common.MOST_ROWS} more: --json lists them all.")
+
+
+def _show_kept_open(source: Source, console: Console) -> None:
+    """List the gaps that are kept open, as many as people read."""
+    kept = list(source.kept_open.values())
+    if not kept:
+        return
+    console.say("")
+    console.table(
+        ("Kept open", ">Frames", ">Length", "Why"),
+        [
+            (
+                entry.marker,
+                common.span(entry.first_frame, entry.last_frame),
+                str(entry.frames),
+                entry.reason,
+            )
+            for entry in kept[: common.MOST_ROWS]
+        ],
+    )
+    if len(kept) > common.MOST_ROWS:
+        console.say(f"and {len(kept) - common.MOST_ROWS} more: --json lists them all.")
 
 
 def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
@@ -91,6 +114,7 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
         ],
         "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
         "repairs": [record.as_json() for record in source.repairs],
+        "kept_open": [entry.as_json() for entry in source.kept_open.values()],
         "force_plates": [_force_plate(plate, recording.mm) for plate in source.force_plates],
         "skeleton": {
             "name": skeleton.name,

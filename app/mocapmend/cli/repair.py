@@ -9,6 +9,7 @@ too); the output lists them. --max-error and --max-gap replace these limits.
 """
 
 import argparse
+import dataclasses
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -24,7 +25,7 @@ from mocapmend.plan import Plan, read_plan
 from mocapmend.prospects import Way
 from mocapmend.report import check_report_ending
 from mocapmend_algorithms.fill import registry
-from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_resources import training
 
@@ -113,7 +114,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     changes = engine.changes_of(source, result, method.id, params)
     if arguments.recipe is not None:
         # Before the recording, which may be replaced by its repaired copy.
-        recipe.write_recipe(source, changes.repairs, arguments.recipe)
+        recipe.write_recipe(source, changes.repairs, arguments.recipe, kept_open=changes.kept_open)
     exported = engine.export(
         source,
         changes,
@@ -226,9 +227,10 @@ def _fill(
     limits: Limits,
     console: Console,
 ) -> FillResult:
-    """Fill the gaps of the markers that were asked for; account for those of the others too."""
+    """Fill the gaps of the markers that were asked for; account for all others too."""
     recording = source.measured
-    gaps = source.open_gaps()
+    never = {gap: entry for gap, entry in source.kept_open.items() if entry.never}
+    gaps = [gap for gap in source.open_gaps() if gap not in never]
     wanted = markers.choose(source, labels)
     console.start("Filling")
     result = engine.fill(
@@ -239,7 +241,10 @@ def _fill(
         limits,
         console.progress,
     )
-    return markers.with_the_others(result, gaps, wanted)
+    result = markers.with_the_others(result, gaps, wanted)
+    protected = [Unfilled(gap, entry.reason) for gap, entry in never.items()]
+    unfilled = sorted([*result.unfilled, *protected], key=lambda entry: entry.gap)
+    return dataclasses.replace(result, unfilled=tuple(unfilled))
 
 
 def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from mocapmend import engine, recipe
+from mocapmend import engine, recipe, replaying
 from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
 from mocapmend.files import check_ending, read_recording
@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
             f"{source.path}: the recipe was made for another file; the result may be another one."
         )
     console.start("Replaying")
-    changes = recipe.replay(source, made, console.progress)
+    changes = replaying.replay(source, made, console.progress)
     console.start("Writing")
     exported = engine.export(
         source,
@@ -47,13 +47,19 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         output=str(out),
         filled=len(made.fills),
         reopened=len(made.reopened),
+        kept_open=len(made.kept_open),
+        freed=len(made.freed),
         **common.written(exported),
     )
     console.say(f"Replayed: {out}")
-    console.say(
-        f"Edits:    {common.count(len(made.fills), 'gap')} filled, "
-        f"{common.count(len(made.reopened), 'repair')} reopened"
-    )
+    edits = [
+        f"{common.count(len(made.fills), 'gap')} filled",
+        f"{common.count(len(made.reopened), 'repair')} reopened",
+    ]
+    for gaps, what in ((made.kept_open, "kept open"), (made.freed, "freed")):
+        if gaps:
+            edits.append(f"{common.count(len(gaps), 'gap')} {what}")
+    console.say(f"Edits:    {', '.join(edits)}")
     for sentence in exported.sentences:
         console.say(sentence)
     return 0

@@ -13,6 +13,7 @@ from mocapmend.cli.console import Console
 from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile, Source, check_files, read_recording, same_file
 from mocapmend.report import About, RepairRow, check_report_ending
+from mocapmend_algorithms.fill.contract import Unfilled
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -53,7 +54,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         repaired.recording,
         engine.find_skeleton(original, console.progress),
         rows,
-        (),
+        [Unfilled(gap, entry.reason) for gap, entry in repaired.kept_open.items()],
         _about(original, repaired),
         out,
         console.progress,

@@ -10,7 +10,8 @@ from mocapmend.files.check import ChangedRun, CheckReport, check_files
 from mocapmend.files.force_plate import ForcePlate
 from mocapmend.files.formats import FORMATS, read_recording
 from mocapmend.files.opening import Stamp
-from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.records import KeptGap, RepairRecord
 from mocapmend.files.saving import Saved
 from mocapmend.files.second_reader import confirm_with_c3d
 from mocapmend.files.source import Event, Source
@@ -25,6 +26,7 @@ __all__ = [
     "CheckReport",
     "Event",
     "ForcePlate",
+    "KeptGap",
     "Layout",
     "Provenance",
     "RepairRecord",

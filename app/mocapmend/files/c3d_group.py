@@ -1,17 +1,18 @@
 """The repair record as a parameter group of a C3D file.
 
-The repairs are one line of JSON each, so that every program that shows parameters shows them; a
-line that is too long for a row continues in the next one.
+Repairs and gaps that are kept open are one line of JSON each, so that every program that shows
+parameters shows them; a line that is too long for a row continues in the next one.
 """
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.c3d_parameters import Parameters
 from mocapmend.files.c3d_section import group_record, integer_record, text_record, text_records
-from mocapmend.files.provenance import FORMAT, Provenance, hashes, line, records
+from mocapmend.files.provenance import FORMAT, Provenance, hashes
+from mocapmend.files.records import RecordedRun, kept_gaps, line, repair_records
 
 NAME = "MOCAPMEND"
 ABOUT = "Repairs by mocapmend: one JSON object each; points are counted from 1"
@@ -32,7 +33,6 @@ def encode_group(provenance: Provenance, number: int, processor: Processor) -> b
     processor : Processor
         The file's number format.
     """
-    rows = [row for record in provenance.repairs for row in _rows(line(record))]
     inputs = [item.encode("ascii") for item in provenance.inputs]
     parts = [
         group_record(number, NAME, processor, ABOUT),
@@ -40,8 +40,10 @@ def encode_group(provenance: Provenance, number: int, processor: Processor) -> b
         integer_record(number, "CONVERTED", int(provenance.converted), processor),
         text_record(number, "PROGRAM", provenance.program.encode("ascii"), processor),
         *text_records(number, "INPUTS", inputs, processor),
-        *text_records(number, "REPAIRS", rows, processor),
+        *text_records(number, "REPAIRS", _rows(provenance.repairs), processor),
     ]
+    if provenance.kept_open:
+        parts += text_records(number, "KEPT_OPEN", _rows(provenance.kept_open), processor)
     raw = b"".join(parts)
     return raw + b"".join(_padding(-len(raw) % BLOCK, number, processor))
 
@@ -60,28 +62,35 @@ def decode_group(parameters: Parameters) -> Provenance | None:
     if stated != FORMAT:
         raise ValueError(f"it has format {stated:g}, and this version reads {FORMAT}")
     return Provenance(
-        repairs=records(list(_objects("".join(parameters.texts(f"{NAME}:REPAIRS"))))),
+        repairs=repair_records(_objects(parameters, "REPAIRS")),
         inputs=hashes(parameters.texts(f"{NAME}:INPUTS")),
         converted=parameters.number(f"{NAME}:CONVERTED") == 1,
         program=parameters.text(f"{NAME}:PROGRAM"),
+        kept_open=kept_gaps(_objects(parameters, "KEPT_OPEN")),
     )
 
 
-def _rows(text: str) -> Iterator[bytes]:
-    """Cut a line of JSON; spaces are escaped, because rows lose those at their end."""
-    raw = text.replace(" ", "\\u0020").encode("ascii")
-    return (raw[start : start + LONGEST_ROW] for start in range(0, len(raw), LONGEST_ROW))
+def _rows(entries: Iterable[RecordedRun]) -> list[bytes]:
+    """Cut lines of JSON; spaces are escaped, because rows lose those at their end."""
+    lines = [line(entry).replace(" ", "\\u0020").encode("ascii") for entry in entries]
+    return [
+        raw[start : start + LONGEST_ROW]
+        for raw in lines
+        for start in range(0, len(raw), LONGEST_ROW)
+    ]
 
 
-def _objects(text: str) -> Iterator[object]:
-    decoder = json.JSONDecoder()
-    at = 0
+def _objects(parameters: Parameters, name: str) -> list[object]:
+    """Return the JSON values of a parameter that `_rows` has cut."""
+    text, decoder = "".join(parameters.texts(f"{NAME}:{name}")), json.JSONDecoder()
+    items, at = [], 0
     while at < len(text):
         try:
             item, at = decoder.raw_decode(text, at)
         except (ValueError, RecursionError):
             raise ValueError("it is not written in JSON") from None
-        yield item
+        items.append(item)
+    return items
 
 
 def _padding(length: int, number: int, processor: Processor) -> Iterator[bytes]:

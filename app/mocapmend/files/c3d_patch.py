@@ -26,7 +26,8 @@ from mocapmend.files.c3d_samples import (
 )
 from mocapmend.files.c3d_target import Target, plan
 from mocapmend.files.opening import changed_on_disk, open_file
-from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.records import KeptGap, RepairRecord
 from mocapmend.files.saving import Saved, check_place
 from mocapmend.files.sidecar import NO_HASH
 from mocapmend_algorithms.progress import Progress, no_progress
@@ -39,6 +40,7 @@ def save_patched(
     out: Path,
     *,
     repairs: Sequence[RepairRecord] = (),
+    kept_open: Sequence[KeptGap] = (),
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
@@ -46,8 +48,8 @@ def save_patched(
 ) -> Saved:
     """Save a copy of a file in which only the given samples differ.
 
-    The copy is read back and compared before it gets its name. Without runs it is the same,
-    byte for byte. Integers that cannot hold a repair become floats.
+    The copy is read back and compared before it gets its name. Without runs, and with the same
+    gaps kept open, it is the same, byte for byte. Integers that cannot hold a repair become floats.
 
     Parameters
     ----------
@@ -59,6 +61,8 @@ def save_patched(
         Where the copy goes.
     repairs : sequence of RepairRecord
         All repairs that the copy will have, for its repair record.
+    kept_open : sequence of KeptGap
+        All gaps that are kept open in it, for the same.
     replace_source : bool
         Whether `out` may be the source itself.
     accept_truncated : bool
@@ -88,7 +92,7 @@ def save_patched(
         )
     check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
     to_float = not fits(source, runs)
-    provenance = _provenance(source, runs, repairs, to_float=to_float)
+    provenance = _provenance(source, runs, repairs, kept_open, to_float=to_float)
     target = plan(source, provenance, to_float=to_float)
     slots = encode_runs(source, runs, target.layout)
     copy = _Copy(source, slots, target, provenance, progress)
@@ -109,16 +113,23 @@ def save_patched(
 
 
 def _provenance(
-    source: C3DFile, runs: Sequence[SampleRun], repairs: Sequence[RepairRecord], *, to_float: bool
+    source: C3DFile,
+    runs: Sequence[SampleRun],
+    repairs: Sequence[RepairRecord],
+    kept_open: Sequence[KeptGap],
+    *,
+    to_float: bool,
 ) -> Provenance | None:
     """Return the repair record of the copy; the hash of the source is not known yet."""
     former = source.provenance
-    if not runs or (former is None and not repairs and not to_float):
+    kept = tuple(sorted(kept_open, key=lambda gap: gap.place))
+    same = not runs and kept == tuple(source.kept_open.values())
+    if same or (former is None and not (repairs or kept or to_float)):
         return former
     inputs = () if former is None else former.inputs
     converted = to_float or (former is not None and former.converted)
-    ordered = sorted(repairs, key=lambda record: (record.point, record.first_frame))
-    return Provenance(tuple(ordered), (*inputs, NO_HASH), converted)
+    ordered = tuple(sorted(repairs, key=lambda record: record.place))
+    return Provenance(ordered, (*inputs, NO_HASH), converted, kept_open=kept)
 
 
 class _Copy:

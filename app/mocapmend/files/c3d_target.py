@@ -73,7 +73,7 @@ def plan(source: C3DFile, provenance: Provenance | None, *, to_float: bool) -> T
     if provenance is source.provenance:
         return replace(target, record=_place(provenance, layout))
     former = c3d_head.leading_blocks(head, layout, c3d_group.NAME)
-    if provenance is None or not (provenance.repairs or provenance.converted):
+    if provenance is None or provenance.says_nothing:
         return _without_group(target, former) or target
     return _with_group(target, provenance, former) or replace(
         _without_group(target, former) or target, record="sidecar"

@@ -106,8 +106,8 @@ def check_files(
     before, if the repaired file marks them as computed (fourth word 0) or as missing again;
     measured samples that a listed repair of a gap covers at its ends; the
     repair record, with the numbers of blocks that it moves; integers that became floats, if the
-    repair record says so. A sample that the repair record of the repaired file does not list may
-    not differ.
+    repair record says so. A sample that the repair record of the repaired file does not list, or
+    that is in a gap which it keeps open, may not differ.
 
     Parameters
     ----------
@@ -145,15 +145,17 @@ def check_files(
         others.append(f"The sizes differ: {first_stamp.size} and {second_stamp.size} bytes.")
     reverted = found.forgive(_listed(earlier, alignment.layout))
     unlisted = np.zeros_like(found.changed)
+    protected = np.zeros_like(found.changed)
     ends = 0
     if record is not None:
         ends = found.forgive_ends(_runs(record, alignment.layout))
-        unlisted = found.changed & ~reverted & ~_listed(record, alignment.layout)
+        protected = found.changed & ~reverted & _kept_open(record, alignment.layout)
+        unlisted = found.changed & ~reverted & ~_listed(record, alignment.layout) & ~protected
         # A copy without new repairs has the record of its original, which names one before.
         copied = earlier is not None and record.inputs == earlier.inputs
         if not copied and sidecar.hash_file(original) not in record.inputs:
             others.append("The repair record names another original.")
-    others += _sentences(layout, labels, models, found, unlisted)
+    others += _sentences(layout, labels, models, found, unlisted, protected)
     if alignment.converted and not (record is not None and record.converted):
         others.append("Integers became floats, and no repair record says so.")
     changed = found.changed
@@ -188,6 +190,11 @@ def _listed(record: Provenance | None, layout: Layout) -> NDArray[np.bool_]:
     """Mark the samples that a record lists, shape (frames, points)."""
     repairs = () if record is None else record.repairs
     return listed_samples(repairs, (layout.frames, layout.points), layout.first_frame)
+
+
+def _kept_open(record: Provenance, layout: Layout) -> NDArray[np.bool_]:
+    """Mark the samples of the gaps that a record keeps open, shape (frames, points)."""
+    return listed_samples(record.kept_open, (layout.frames, layout.points), layout.first_frame)
 
 
 def _runs(record: Provenance, layout: Layout) -> Iterator[tuple[slice, int]]:
@@ -225,6 +232,7 @@ def _sentences(
     models: frozenset[int],
     found: Findings,
     unlisted: NDArray[np.bool_],
+    protected: NDArray[np.bool_],
 ) -> Iterator[str]:
     """Say what differs besides marker samples that are marked as they should be."""
     for place, count in found.places.items():
@@ -240,6 +248,7 @@ def _sentences(
             (found.empty, ", and still missing"),
             (found.unmarked, " without the mark of a computed sample (fourth word 0)"),
             (unlisted, " without an entry in the repair record"),
+            (protected, " although the repair record keeps the gap open"),
         ):
             if wrong[:, point].any():
                 count, first = _extent(wrong[:, point], layout)

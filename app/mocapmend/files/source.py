@@ -1,7 +1,7 @@
 """A recording as it was read from a file of any format."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -9,7 +9,8 @@ import numpy as np
 
 from mocapmend.files.force_plate import ForcePlate
 from mocapmend.files.opening import Stamp
-from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.records import KeptGap, RepairRecord
 from mocapmend_algorithms.gaps import Gap, find_gaps
 from mocapmend_algorithms.recording import Recording
 
@@ -78,6 +79,8 @@ class Source:
         Its repair record, where it has been repaired by this program.
     repaired : tuple of Gap
         The gap that each of these repairs fills, in their order.
+    kept_open : mapping of Gap to KeptGap
+        Gaps that the user keeps open, from the repair record too.
     """
 
     path: Path
@@ -94,6 +97,7 @@ class Source:
     frames_promised: int = 0
     provenance: Provenance | None = None
     repaired: tuple[Gap, ...] = ()
+    kept_open: Mapping[Gap, KeptGap] = field(default_factory=dict)
 
     @property
     def stored_points(self) -> tuple[int, ...]:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TypeGuard
+from typing import TypeGuard, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +19,15 @@ from mocapmend.files.formats.export_npz import write_npz
 from mocapmend.files.formats.export_trc import write_trc
 from mocapmend.files.formats.table import FORMATS
 from mocapmend.files.opening import changed_on_disk, open_file
-from mocapmend.files.provenance import Provenance, RepairRecord
+from mocapmend.files.provenance import Provenance
+from mocapmend.files.records import KeptGap, RecordedRun, RepairRecord
 from mocapmend.files.repairs import listed_samples
 from mocapmend.files.saving import Saved, check_place
 from mocapmend.files.source import Source
 from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
+AnyRun = TypeVar("AnyRun", bound=RecordedRun)
 GROUP = 6
 """A group number that no other group of a new file has."""
 
@@ -89,6 +91,7 @@ def write_recording(
     repairs: Sequence[RepairRecord],
     out: Path,
     *,
+    kept_open: Sequence[KeptGap] = (),
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
@@ -105,6 +108,8 @@ def write_recording(
         All of its repairs, points as in the source.
     out : Path
         Where the file goes.
+    kept_open : sequence of KeptGap
+        Its gaps that are kept open, points as in the source.
     replace_source : bool
         Whether `out` may be the source itself.
     accept_truncated : bool
@@ -124,7 +129,7 @@ def write_recording(
         raise MocapmendError(
             "The recording has no markers to write.", str(source.path), "Choose another one."
         )
-    provenance = _provenance(source, repairs)
+    provenance = _provenance(source, repairs, kept_open)
     group = b""
     if provenance is not None and out.suffix.lower() == ".c3d":
         group = encode_group(provenance, GROUP, Processor.INTEL)
@@ -161,19 +166,26 @@ def _write_long(content: _Content, out: Path) -> tuple[str, ...]:
     )
 
 
-def _provenance(source: Source, repairs: Sequence[RepairRecord]) -> Provenance | None:
+def _provenance(
+    source: Source, repairs: Sequence[RepairRecord], kept_open: Sequence[KeptGap]
+) -> Provenance | None:
     """Return the repair record of the new file, in which the points are the markers."""
-    if not repairs:
+    if not (repairs or kept_open):
         return None
-    markers = source.markers_by_point
-    moved = [replace(repair, point=markers[repair.point] + 1) for repair in repairs]
-    # Whatever they were made in: the same repairs give the same bytes.
-    moved.sort(key=lambda repair: (repair.point, repair.first_frame))
     earlier = () if source.provenance is None else source.provenance.inputs
     with open_file(source.path) as (_, stamp):
         if stamp != source.stamp:
             raise changed_on_disk(source.path)
-    return Provenance(tuple(moved), (*earlier, sidecar.hash_file(source.path)))
+    inputs = (*earlier, sidecar.hash_file(source.path))
+    return Provenance(_moved(source, repairs), inputs, kept_open=_moved(source, kept_open))
+
+
+def _moved(source: Source, entries: Sequence[AnyRun]) -> tuple[AnyRun, ...]:
+    """Return entries of a record whose points are the markers."""
+    markers = source.markers_by_point
+    moved = [replace(entry, point=markers[entry.point] + 1) for entry in entries]
+    # Whatever they were made in: the same entries give the same bytes.
+    return tuple(sorted(moved, key=lambda entry: entry.place))
 
 
 def _lost(source: Source, out: Path) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from mocapmend.files.provenance import RepairRecord
+from mocapmend.files.records import RepairRecord
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import Patch

@@ -1,6 +1,7 @@
 """Filling all gaps: the dry run, the work in the background, one undoable step."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -10,7 +11,7 @@ from mocapmend.jobs import Job, Jobs
 from mocapmend.prospects import Prospects, Way
 from mocapmend.views.survey import Survey
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, hold_to
 from mocapmend_algorithms.fill.registry import METHODS
 
@@ -69,14 +70,19 @@ class Filling(QObject):
         return [gap for gap in self._document.gaps if gap.length < frames]
 
     def planned(self, way: Way, limits: Limits) -> tuple[FillResult, list[Gap]]:
-        """Return what filling all gaps would do, and the gaps of which that is not known yet."""
+        """Return what filling all gaps would do, and the gaps of which that is not known yet.
+
+        Those that shall never be filled are among the ones that stay open.
+        """
         every = self.gaps()
         known, unknown = self._prospects.result(way, every)
         too_long = {e.gap for e in self._held(way, limits, unknown, FillResult(())).unfilled}
         missing = [gap for gap in unknown if gap not in too_long]
         rest = set(missing)
         gaps = [gap for gap in every if gap not in rest]
-        return self._held(way, limits, gaps, known), missing
+        held = self._held(way, limits, gaps, known)
+        never = [Unfilled(gap, self._document.never_reason(gap)) for gap in self._document.never]
+        return replace(held, unfilled=(*held.unfilled, *never)), missing
 
     def compute(self, way: Way, limits: Limits) -> None:
         """Find out what filling all gaps would do."""
@@ -129,7 +135,10 @@ class Filling(QObject):
     def _accept(self, way: Way, limits: Limits) -> None:
         """Take what is within the limits; gaps that were repaired meanwhile stay as they are."""
         result, _ = self.planned(way, limits)
-        self._document.leave_open({entry.gap: entry.reason for entry in result.unfilled})
+        open_gaps = set(self._document.gaps)
+        self._document.leave_open(
+            {entry.gap: entry.reason for entry in result.unfilled if entry.gap in open_gaps}
+        )
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
             edits = Edit.fills(result, *way)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from mocapmend.document import Document, Edit
+from mocapmend.files.records import LEFT_OPEN
 from mocapmend.navigation import in_time_order, neighbour, place
 from mocapmend.state import SampleState
 from mocapmend.trimming import resized, widened
@@ -98,7 +99,7 @@ class GapActions(QObject):
             self._document.take_up(gap)
             self.message.emit(self.tr("The gap is open again."))
         else:
-            self._document.put_aside(gap, "left open by hand")
+            self._document.put_aside(gap, LEFT_OPEN)
             self.step(1)
 
     def never_fill(self) -> None:

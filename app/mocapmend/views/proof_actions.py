@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
-from mocapmend import engine, recipe, unsaved
-from mocapmend.document import Document, Edit
+from mocapmend import engine, replaying, unsaved
+from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
 from mocapmend.plan import Plan, read_plan, write_plan
+from mocapmend.replay_edits import keep_open, replayed
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -72,17 +73,17 @@ class ProofActions(QObject):
         title = self.tr("Replaying {0}").format(path.name)
         source, revision = workspace.document.source, workspace.document.revision
 
-        def compute(prepared: tuple[recipe.Plan, bool]) -> None:
+        def compute(prepared: tuple[replaying.Plan, bool]) -> None:
             if self._window.documents.of(workspace.document) is None:
                 return
             original, jobs = workspace.document.share_original(), prepared[0].jobs
-            job = self._window.jobs.compute(title, recipe.fill, original, jobs)
+            job = self._window.jobs.compute(title, replaying.fill, original, jobs)
             job.finished.connect(
                 lambda results: self._accept(workspace, revision, path, prepared, results)
             )
             job.failed.connect(self._window.show_error)
 
-        job = self._window.jobs.read_or_write(title, recipe.prepare, source, path)
+        job = self._window.jobs.read_or_write(title, replaying.prepare, source, path)
         job.finished.connect(compute)
         job.failed.connect(self._window.show_error)
 
@@ -172,7 +173,7 @@ class ProofActions(QObject):
         workspace: "Workspace",
         revision: int,
         path: Path,
-        prepared: tuple[recipe.Plan, bool],
+        prepared: tuple[replaying.Plan, bool],
         results: list[FillResult],
     ) -> None:
         document, (planned, same_file) = workspace.document, prepared
@@ -181,18 +182,17 @@ class ProofActions(QObject):
         if revision != document.revision:
             self._window.say(self.tr("The recording was edited meanwhile: replay again."))
             return
-        reopened = [gap for gap in planned.reopened if gap in document.repairs]
-        edits = [Edit.clear(gap) for gap in reopened]
-        for job, result in zip(planned.jobs, results, strict=True):
-            edits += Edit.fills(result, job.method, job.params)
-        if not edits:
+        edits = replayed(document, planned, results)
+        made = len(edits) + keep_open(document, planned)
+        if not made:
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
-        workspace.push(edits, f"replay {path.name}")
+        if edits:
+            workspace.push(edits, f"replay {path.name}")
         text = self.tr("{0} edits made again.")
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
-        self._window.say(text.format(len(edits)))
+        self._window.say(text.format(made))
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()

@@ -255,7 +255,7 @@ class RepairPanel(QScrollArea):
         self._title.setText(self._gap_text(gap))
         self._clear.set_possible(possible=repair is not None)
         self._apply.set_possible(possible=preview is not None and preview.patch is not None)
-        if gap is None and not self._document.gaps:
+        if gap is None and not (self._document.gaps or self._document.never):
             text = self.tr("No marker is missing anywhere: there is nothing to fill.")
         elif gap is None:
             text = self.tr("Press N for the next gap, or click one on the timeline.")

@@ -8,8 +8,6 @@ from mocapmend.report import About, EditRow, method_text
 from mocapmend.state import SampleState
 from mocapmend_algorithms.fill.contract import Unfilled
 
-NEVER_FILLED = "it is marked as never to be filled"
-
 
 class ReportFacts:
     """The facts of a document; the workspace adds what only it knows.
@@ -29,7 +27,7 @@ class ReportFacts:
         document = self._document
         reasons = document.left_open
         left = [Unfilled(gap, reasons[gap]) for gap in document.gaps if gap in reasons]
-        return left + [Unfilled(gap, NEVER_FILLED) for gap in document.never]
+        return left + [Unfilled(gap, document.never_reason(gap)) for gap in document.never]
 
     def about(self) -> About:
         """Return what the report says about its making."""

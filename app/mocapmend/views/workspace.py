@@ -40,7 +40,6 @@ from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.fill.contract import Unfilled
 
 TAB_HEIGHT = 36
 BEGIN_MS = 50
@@ -259,7 +258,7 @@ class Workspace(PanedWindow):
         self.repair.show_outcome("", open_gaps=False)
 
     def _show_left_open(self) -> None:
-        unfilled = [Unfilled(*entry) for entry in self.document.left_open.items()]
+        unfilled = self.facts.unfilled()
         left_open_dialog(self, self.document.original, unfilled, self.view.go_to).show()
 
     def _preview(self) -> None:

@@ -2917,6 +2917,10 @@
         <translation>标记点 {0}：{1}，修复记录中没有条目，首个在第 {2} 帧。</translation>
     </message>
     <message>
+        <source>Marker {0}: {1} although the repair record keeps the gap open, the first at frame {2}.</source>
+        <translation>标记点 {0}：{1}，而修复记录规定该缺失段不填补，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
         <source>Analog channel {0}: {1}.</source>
         <translation>模拟通道 {0}：{1}。</translation>
     </message>
@@ -3553,8 +3557,8 @@
         <translation>其中没有编辑列表</translation>
     </message>
     <message>
-        <source>it asks for something else than filling and reopening gaps</source>
-        <translation>其中有填补和还原缺失段以外的操作</translation>
+        <source>it asks for something that is no edit of a gap</source>
+        <translation>其中有不属于缺失段编辑的操作</translation>
     </message>
     <message>
         <source>its point {0} is not the marker {1}</source>
@@ -3563,6 +3567,10 @@
     <message>
         <source>frames {0} to {1} of {2} are not one of its gaps</source>
         <translation>{2} 的第 {0} 至 {1} 帧不是其缺失段之一</translation>
+    </message>
+    <message>
+        <source>frames {0} to {1} of {2} are never to be filled</source>
+        <translation>{2} 的第 {0} 至 {1} 帧永不填补</translation>
     </message>
     <message>
         <source>A gap of {0} cannot be filled: {1}.</source>
@@ -3683,6 +3691,10 @@
     <message>
         <source>left open by hand</source>
         <translation>手动保留未填补</translation>
+    </message>
+    <message>
+        <source>it is marked as never to be filled</source>
+        <translation>已标记为永不填补</translation>
     </message>
     <message>
         <source>the preview was cancelled</source>
@@ -4253,6 +4265,10 @@
         <translation>修复记录的 {1} 处修复中有 {0} 处已不在文件中；其采样按现状采用。</translation>
     </message>
     <message>
+        <source>{0} of {1} gaps that the repair record keeps open are not in the file any more.</source>
+        <translation>修复记录规定不填补的 {1} 个缺失段中有 {0} 个已不在文件中。</translation>
+    </message>
+    <message>
         <source>The repair record {0} belongs to another state of this file; its repairs are taken for measured samples.</source>
         <translation>修复记录 {0} 属于此文件的另一状态；其中的修复按测得的采样处理。</translation>
     </message>
@@ -4349,6 +4365,10 @@
         <translation>它没有修复列表</translation>
     </message>
     <message>
+        <source>it has no list of gaps kept open</source>
+        <translation>它没有不填补的缺失段的列表</translation>
+    </message>
+    <message>
         <source>it has no {0}</source>
         <translation>它没有 {0}</translation>
     </message>
@@ -4375,6 +4395,18 @@
     <message>
         <source>a number or a text of a repair is too large</source>
         <translation>修复中有过大的数字或文本</translation>
+    </message>
+    <message>
+        <source>a gap kept open is not an object</source>
+        <translation>有一个不填补的缺失段不是对象</translation>
+    </message>
+    <message>
+        <source>{0} of a gap kept open is missing or of another kind</source>
+        <translation>不填补的缺失段的 {0} 缺失或类型不符</translation>
+    </message>
+    <message>
+        <source>a number or a text of a gap kept open is too large</source>
+        <translation>不填补的缺失段中有过大的数字或文本</translation>
     </message>
     <message>
         <source>a donor is not a label</source>

@@ -5,7 +5,7 @@ from typing import Any
 
 from recording_samples import NO_LIMITS
 
-from mocapmend import engine, recipe
+from mocapmend import engine, recipe, replaying
 from mocapmend.files import RepairRecord, Source, read_recording
 from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.fill.registry import METHODS
@@ -32,7 +32,7 @@ def export(source: Source, changes: engine.Changes, out: Path) -> Path:
 def replayed(path: Path, written: Path, out: Path) -> Path:
     """Replay a recipe in a file that is read anew."""
     source = read_recording(path)
-    changes = recipe.replay(source, recipe.read_recipe(written), no_progress)
+    changes = replaying.replay(source, recipe.read_recipe(written), no_progress)
     return export(source, changes, out)
 
 
@@ -49,6 +49,16 @@ ITEM: dict[str, Any] = {
     "r90_mm": None,
 }
 REOPENED = ITEM | {"do": "reopen"}
+KEPT: dict[str, Any] = {
+    "do": "keep open",
+    "marker": "M001",
+    "point": 1,
+    "first_frame": 17,
+    "last_frame": 21,
+    "never": True,
+    "reason": "the marker fell off",
+}
+FREED = KEPT | {"do": "free"}
 KALMAN = ITEM | {"method": "kalman"}
 AUTO = ITEM | {"method": "auto"}
 HASH = "0" * 64

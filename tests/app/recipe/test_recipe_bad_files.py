@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from recipe_steps import AUTO, HASH, ITEM, KALMAN, REOPENED, document, replayed
+from recipe_steps import AUTO, FREED, HASH, ITEM, KALMAN, KEPT, REOPENED, document, replayed
 
-from mocapmend import recipe
+from mocapmend import recipe, replaying
 from mocapmend.errors import MocapmendError
 from mocapmend.files import read_recording
 from mocapmend_algorithms import no_progress
@@ -58,6 +58,13 @@ def nested(depth: int) -> Any:
         json.dumps(document(KALMAN | {"parameters": {"noise_mm": nested(300)}})).encode(),
         json.dumps(document(KALMAN | {"parameters": {"noise_mm": float("inf")}})).encode(),
         json.dumps(document({"do": "fill"})).encode(),
+        json.dumps(document({"do": "keep open"})).encode(),
+        json.dumps(document(KEPT | {"never": 1})).encode(),
+        json.dumps(document(KEPT | {"never": None})).encode(),
+        json.dumps(document(KEPT | {"reason": None})).encode(),
+        json.dumps(document(KEPT | {"reason": "r" * 10_000})).encode(),
+        json.dumps(document(KEPT | {"first_frame": 10**400})).encode(),
+        json.dumps(document(FREED | {"point": True})).encode(),
     ],
 )
 def test_what_is_no_recipe(content: bytes, tmp_path: Path) -> None:
@@ -91,6 +98,12 @@ def test_what_is_no_recipe(content: bytes, tmp_path: Path) -> None:
         ([ITEM, ITEM], "two edits of one gap"),
         ([ITEM, KALMAN], "two edits of one gap"),
         ([REOPENED], "are not one of its gaps"),
+        ([FREED], "are not one of its gaps"),
+        ([KEPT | {"last_frame": 20}], "are not one of its gaps"),
+        ([KEPT | {"point": 2}], "point 2 is not the marker"),
+        ([KEPT, KEPT], "two edits of one gap"),
+        ([KEPT, ITEM], "two edits of one gap"),
+        ([KEPT, ITEM | {"last_frame": 22}], "two edits of one gap"),
     ],
 )
 def test_what_cannot_be_done(
@@ -134,7 +147,9 @@ JSON = st.recursive(
     | st.integers(-(10**400), 10**400)
     | st.floats()
     | st.text(max_size=5)
-    | st.sampled_from(["fill", "reopen", "kalman", "M001", HASH, 17, 21, 1, 5]),
+    | st.sampled_from(
+        ["fill", "reopen", "keep open", "free", "kalman", "M001", HASH, 17, 21, 1, 5]
+    ),
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner),
     max_leaves=5,
 )
@@ -155,7 +170,9 @@ def places(value: Any) -> list[tuple[Any, Any]]:
 def test_mutated_recipes_are_replayed_or_refused(
     data: st.DataObject, holed: Path, tmp_path: Path
 ) -> None:
-    mutant = json.loads(json.dumps(document(ITEM, KALMAN | {"point": 5, "marker": "M005"})))
+    other = KALMAN | {"point": 5, "marker": "M005"}
+    kept = KEPT | {"first_frame": 47, "last_frame": 66}
+    mutant = json.loads(json.dumps(document(ITEM, other, kept)))
     for _ in range(data.draw(st.integers(1, 3))):
         container, key = data.draw(st.sampled_from(places(mutant)))
         if data.draw(st.booleans()) and isinstance(container, dict):
@@ -181,10 +198,10 @@ def test_damaged_recipes_are_replayed_or_refused(
 def replay_or_refuse(holed: Path, path: Path) -> None:
     source = read_recording(holed)
     try:
-        changes = recipe.replay(source, recipe.read_recipe(path), no_progress)
+        changes = replaying.replay(source, recipe.read_recipe(path), no_progress)
     except MocapmendError as error:
         assert error.what.endswith(".")
         assert len(str(error)) < 3000
     else:
         assert all(np.isfinite(run.values).all() for run in changes.runs)
-        recipe.recipe_of(source, changes.repairs)
+        recipe.recipe_of(source, changes.repairs, changes.kept_open)

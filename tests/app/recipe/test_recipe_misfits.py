@@ -11,7 +11,7 @@ import pytest
 from c3d_synthetic import Synthetic, encode
 from recipe_steps import AUTO, document, fills, interior, replayed
 
-from mocapmend import recipe
+from mocapmend import recipe, replaying
 from mocapmend.cli import main
 from mocapmend.errors import MocapmendError
 from mocapmend.files import read_recording
@@ -91,7 +91,7 @@ def test_a_replay_can_be_cancelled(holed: Path) -> None:
     source = read_recording(holed)
     made = recipe.recipe_of(source, fills(source, interior(source), "kalman"))
     with pytest.raises(Cancelled):
-        recipe.replay(source, made, cancel)
+        replaying.replay(source, made, cancel)
 
 
 def test_progress_goes_from_method_to_method(holed: Path) -> None:
@@ -99,6 +99,6 @@ def test_progress_goes_from_method_to_method(holed: Path) -> None:
     gaps = interior(source)
     records = fills(source, gaps[:2], "kalman") + fills(source, gaps[2:], "cubic")
     shares: list[float] = []
-    recipe.replay(source, recipe.recipe_of(source, records), shares.append)
+    replaying.replay(source, recipe.recipe_of(source, records), shares.append)
     assert shares == sorted(shares)
     assert 0 <= shares[0] < 0.5 < shares[-1] <= 1

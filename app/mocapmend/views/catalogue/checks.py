@@ -72,5 +72,9 @@ CHECKS = (
         "Sentences",
         "Marker {0}: {1} without an entry in the repair record, the first at frame {2}.",
     ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Marker {0}: {1} although the repair record keeps the gap open, the first at frame {2}.",
+    ),
     QT_TRANSLATE_NOOP("Sentences", "Analog channel {0}: {1}."),
 )

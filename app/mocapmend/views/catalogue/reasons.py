@@ -11,6 +11,7 @@ REASONS = (
     QT_TRANSLATE_NOOP("Sentences", "move the ends of a gap of {0}"),
     QT_TRANSLATE_NOOP("Sentences", "replay {0}"),
     QT_TRANSLATE_NOOP("Sentences", "left open by hand"),
+    QT_TRANSLATE_NOOP("Sentences", "it is marked as never to be filled"),
     QT_TRANSLATE_NOOP("Sentences", "the preview was cancelled"),
     QT_TRANSLATE_NOOP("Sentences", "the preview failed"),
     QT_TRANSLATE_NOOP("Sentences", "the expected error of {0} is above the limit of {1}"),

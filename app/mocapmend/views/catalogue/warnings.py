@@ -204,6 +204,10 @@ WARNINGS = (
     ),
     QT_TRANSLATE_NOOP(
         "Sentences",
+        "{0} of {1} gaps that the repair record keeps open are not in the file any more.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
         "The repair record {0} belongs to another state of this file; its repairs are taken "
         "for measured samples.",
     ),
@@ -240,6 +244,7 @@ WARNINGS = (
     QT_TRANSLATE_NOOP("Sentences", "it is not a JSON document"),
     QT_TRANSLATE_NOOP("Sentences", "it is not of format {0}, which this version reads"),
     QT_TRANSLATE_NOOP("Sentences", "it has no list of repairs"),
+    QT_TRANSLATE_NOOP("Sentences", "it has no list of gaps kept open"),
     QT_TRANSLATE_NOOP("Sentences", "it has no {0}"),
     QT_TRANSLATE_NOOP("Sentences", "it is too large"),
     QT_TRANSLATE_NOOP("Sentences", "it does not say which file it belongs to"),
@@ -247,6 +252,9 @@ WARNINGS = (
     QT_TRANSLATE_NOOP("Sentences", "a repair is not an object"),
     QT_TRANSLATE_NOOP("Sentences", "the repair's {0} is missing or of another kind"),
     QT_TRANSLATE_NOOP("Sentences", "a number or a text of a repair is too large"),
+    QT_TRANSLATE_NOOP("Sentences", "a gap kept open is not an object"),
+    QT_TRANSLATE_NOOP("Sentences", "{0} of a gap kept open is missing or of another kind"),
+    QT_TRANSLATE_NOOP("Sentences", "a number or a text of a gap kept open is too large"),
     QT_TRANSLATE_NOOP("Sentences", "a donor is not a label"),
     QT_TRANSLATE_NOOP(
         "Sentences",
