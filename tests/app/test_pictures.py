@@ -137,8 +137,43 @@ def test_the_plots_shade_gaps_and_show_the_preview_with_its_band(
     previewed = picture(qtbot, plots)
     assert colours(previewed)[ink] > 50
     assert document.points[gap.start, gap.marker, 0] != document.points[gap.start, gap.marker, 0]
-    view.set_preview(None)
+    view.set_gap(None)
     assert picture(qtbot, plots) == shaded
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_the_plots_have_arrows_on_the_ends_of_the_current_gap(
+    document: Document, view: ViewState, theme: Theme, qtbot: QtBot
+) -> None:
+    gap = next(g for g in document.gaps if 60 < g.start and g.stop < 233)
+    plots = Trajectories(document, view, theme)
+    qtbot.addWidget(plots)
+    other = next(m for m in range(document.original.markers) if m != gap.marker)
+    view.select((other, gap.marker))
+    view.frame_span(gap.start, gap.stop)
+    picture(qtbot, plots)
+    kept = plots._picture
+
+    def inked() -> list[int]:
+        """Return the columns that have the gap's colour, which no curve has."""
+        image, ink = picture(qtbot, plots), QColor(theme.preview).rgba()
+        inside = range(image.width()), range(image.height())
+        return [x for x in inside[0] if any(image.pixel(x, y) == ink for y in inside[1])]
+
+    assert inked() == []
+    view.set_gap(gap)
+    columns = inked()
+    assert plots._picture is kept, "only laid over the plots"
+    left, right = plots._axis.x_of(gap.start), plots._axis.x_of(gap.stop)
+    assert left - 10 <= min(columns) < left
+    assert right < max(columns) <= right + 10
+    assert all(x <= left or x >= right for x in columns)
+    view.set_visible(gap.stop + 10, gap.stop + 60)
+    assert max(inked()) < plots._axis.left + 14
+    view.set_visible(gap.start - 60, gap.start - 10)
+    assert min(inked()) > plots._axis.left + plots._axis.width - 14
+    view.select((gap.marker, other))
+    assert inked() == [], "the plots shade the gaps of the other marker"
 
 
 def test_moving_the_playhead_paints_no_plot_again(

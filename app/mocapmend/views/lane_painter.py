@@ -174,10 +174,14 @@ class LanePainter:
     def _strip(self, markers: tuple[int, ...], frame: Frame, width: int) -> NDArray[np.uint32]:
         """Return the background of each column, shape (width,)."""
         edges = column_edges(frame.start, frame.stop, width)
-        ground, shades = self.theme.base, (self.theme.fill_shade, self.theme.gap_shade)
-        strip = np.full(width, mixed(ground, shades[0], 0.0).rgb(), np.uint32)
+        ground, gap_shade = self.theme.base, self.theme.gap_shade
+        strip = np.full(width, mixed(ground, gap_shade, 0.0).rgb(), np.uint32)
         # Missing last: a gap must show even where it shares its column with a fill.
-        for state, shade in zip((SampleState.FILLED, SampleState.MISSING), shades, strict=True):
+        for state, shade in (
+            (SampleState.FILLED, self.theme.fill_shade),
+            (SampleState.NEVER, gap_shade),
+            (SampleState.MISSING, gap_shade),
+        ):
             for marker in markers:
                 runs = self._document.runs(marker, state)
                 if len(runs):

@@ -93,6 +93,9 @@ class PlotCanvas(QWidget):
         """Write above the plots what changes with the playhead."""
         raise NotImplementedError
 
+    def _paint_marks(self, painter: QPainter) -> None:
+        """Draw over the plots what is drawn quickly; nothing by itself."""
+
     def _readout(self, frame: float, row: int) -> Readout:
         """Return the values at a place on the time axis, for a plot counted from the top."""
         raise NotImplementedError
@@ -164,6 +167,7 @@ class PlotCanvas(QWidget):
         if self._frames:
             if self._span is not None:
                 paint_span(painter, self._frames[0], self._span, self._bottom, self._theme)
+            self._paint_marks(painter)
             self._paint_header(painter)
             self._paint_playhead(painter)
             self._paint_crosshair(painter)

@@ -1,18 +1,14 @@
 """What is painted around the lanes of the timeline: names, ruler, gap, selection, playhead."""
 
 from PySide6.QtCore import QCoreApplication, QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 
 from mocapmend.theme import Theme
+from mocapmend.views.gap_arrows import ARROW, HINT, paint_arrow
 from mocapmend.views.lane import ticks
 from mocapmend.views.lane_layout import LaneLayout
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend_algorithms import Gap, Recording
-
-ARROW = 8.0
-"""Length of the arrows on the ends of the current gap, in pixels."""
-HINT = 11.0
-"""Length of the arrow that points to a gap out of view."""
 
 
 class TimelineMarks:
@@ -119,28 +115,18 @@ class TimelineMarks:
             painter.drawRect(QRectF(begin - 1, top - 1, max(1.0, end - begin) + 2, height + 2))
             for y in (top - 1 - ARROW / 2, top + height + 1 + ARROW / 2):
                 if left >= self._axis.left:
-                    self._arrow(painter, theme, QPointF(left - 0.5, y), -ARROW)
+                    paint_arrow(painter, theme, QPointF(left - 0.5, y), -ARROW)
                 if right <= self._right:
-                    self._arrow(painter, theme, QPointF(right + 0.5, y), ARROW)
+                    paint_arrow(painter, theme, QPointF(right + 0.5, y), ARROW)
         painter.restore()
 
     def _hint(self, painter: QPainter, theme: Theme, y: float, *, before: bool) -> None:
         area = self._layout.lanes_area
         y = min(max(y, area + HINT), self._layout.height - HINT)
         if before:
-            self._arrow(painter, theme, QPointF(self._axis.left + 2, y), HINT)
+            paint_arrow(painter, theme, QPointF(self._axis.left + 2, y), HINT)
         else:
-            self._arrow(painter, theme, QPointF(self._right - 2, y), -HINT)
-
-    @staticmethod
-    def _arrow(painter: QPainter, theme: Theme, tip: QPointF, length: float) -> None:
-        """Draw an arrow of a length to the right of its tip, or to its left."""
-        half = abs(length) / 2 + 0.5
-        back = tip + QPointF(length, 0)
-        # The rim keeps it apart from the lanes, which may have its colour.
-        painter.setPen(QPen(QColor(theme.window), 1))
-        painter.setBrush(QColor(theme.preview))
-        painter.drawPolygon(QPolygonF([tip, back + QPointF(0, half), back - QPointF(0, half)]))
+            paint_arrow(painter, theme, QPointF(self._right - 2, y), -HINT)
 
     def playhead_area(self, metrics: QFontMetrics, frame: int) -> QRect:
         """Return a part of the timeline that holds all of a frame's playhead."""

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from mocapmend.document import Document
 from mocapmend.theme import Theme
+from mocapmend.views.gap_arrows import paint_plot_arrows
 from mocapmend.views.labels import elided
 from mocapmend.views.lane import Frame
 from mocapmend.views.lane_painter import Lane, LanePainter
@@ -47,6 +48,7 @@ class Trajectories(PlotCanvas):
         }
         self.setAccessibleName(self.tr("Trajectory plots"))
         view.selection_changed.connect(self.repaint_plots)
+        view.gap_changed.connect(self.update)
         view.preview_changed.connect(self.repaint_plots)
         view.candidates_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
@@ -155,6 +157,13 @@ class Trajectories(PlotCanvas):
             name = elided(self._document.names[marker], metrics, int(rect.width()) - title - 5)
             painter.setPen(QColor(lane.curves[0].colour))
             painter.drawText(QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent()), name)
+
+    def _paint_marks(self, painter: QPainter) -> None:
+        """Put arrows on the ends of the current gap, in the plots that show it."""
+        gap = self._view.gap
+        for lane, frame in zip(self._shown, self._frames, strict=True):
+            if gap is not None and lane.curves and gap.marker in lane.curves[-1].markers:
+                paint_plot_arrows(painter, self._theme, frame, gap)
 
     def _paint_header(self, painter: QPainter) -> None:
         """Write the names and places of the selected markers, the current first."""
