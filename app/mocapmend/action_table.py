@@ -100,6 +100,15 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "select_none", "Edit", QT_TRANSLATE_NOOP("Actions", "Select no marker"), ("Ctrl+Shift+A",)
     ),
+    ActionSpec(
+        "select_in_view", "Edit", QT_TRANSLATE_NOOP("Actions", "Select the markers in view"), ("A",)
+    ),
+    ActionSpec(
+        "add_in_view",
+        "Edit",
+        QT_TRANSLATE_NOOP("Actions", "Add the markers in view"),
+        ("Shift+A",),
+    ),
     ActionSpec("next_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Next gap"), ("N",)),
     ActionSpec("previous_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous gap"), ("P",)),
     ActionSpec(

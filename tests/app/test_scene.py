@@ -221,6 +221,34 @@ def test_keys_do_what_the_mouse_does(scene: Scene, view: ViewState) -> None:
     assert np.isfinite(places(scene)).any()
 
 
+def test_keys_select_what_is_in_view_as_a_box_does(
+    open_in: Callable[[Path], MainWindow], gait: Path, qtbot: QtBot
+) -> None:
+    window = open_in(gait)
+    assert window.workspace is not None
+    scene, view = window.workspace.scene, window.workspace.view
+    qtbot.waitUntil(lambda: window.workspace.arranged)
+
+    def in_view() -> tuple[int, ...]:
+        x, y = places(scene).T
+        inside = (x >= 0) & (x <= scene.width()) & (y >= 0) & (y <= scene.height())
+        return tuple(np.flatnonzero(inside).tolist())
+
+    whole = in_view()
+    qtbot.keyClick(window, Qt.Key.Key_A)
+    assert view.selection == whole
+    scene.centre_on(whole[0])
+    scene.approach(5)
+    near = in_view()
+    assert whole[0] in near
+    far = next(marker for marker in whole if marker not in near)
+    view.select((far,))
+    qtbot.keyClick(window, Qt.Key.Key_A, SHIFT)
+    assert view.selection == (far, *near)
+    qtbot.keyClick(window, Qt.Key.Key_A)
+    assert view.selection == near
+
+
 @pytest.mark.parametrize("follow", [True, False])
 def test_a_marker_is_centred_where_it_is_seen(
     scene: Scene, view: ViewState, document: Document, follow: bool

@@ -64,6 +64,8 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "previous_gap_here": lambda w: w.gap_actions.step_here(-1),
     "select_all": lambda w: w.select_all(),
     "select_none": lambda w: w.view.select(()),
+    "select_in_view": lambda w: w.scene.select_in_view(add=False),
+    "add_in_view": lambda w: w.scene.select_in_view(add=True),
     "next_method": lambda w: w.repair.step_method(1),
     "previous_method": lambda w: w.repair.step_method(-1),
     "apply": lambda w: w.gap_actions.apply(),

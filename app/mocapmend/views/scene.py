@@ -59,6 +59,10 @@ class Scene(ScenePicture):
             self.camera.distance = 1.2 * self._size
             self.update()
 
+    def select_in_view(self, *, add: bool) -> None:
+        """Select the markers that the picture shows, as a box around all of it does."""
+        self._select_inside(QRectF(self.rect()), add=add)
+
     # --- what the user does ------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

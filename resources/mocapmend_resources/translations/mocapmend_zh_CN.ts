@@ -52,6 +52,14 @@
         <translation>取消选择标记点</translation>
     </message>
     <message>
+        <source>Select the markers in view</source>
+        <translation>选择视图内的标记点</translation>
+    </message>
+    <message>
+        <source>Add the markers in view</source>
+        <translation>加选视图内的标记点</translation>
+    </message>
+    <message>
         <source>Next gap</source>
         <translation>下一个缺失段</translation>
     </message>
