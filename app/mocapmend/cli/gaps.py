@@ -34,10 +34,10 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     problems = [Problem(gap, Status.OPEN) for gap in gaps]
     if arguments.rank:
         console.start("Ranking")
-        never = [gap for gap in gaps if gap in source.kept_open and source.kept_open[gap].never]
-        rest = [gap for gap in gaps if gap not in set(never)]
+        never = {gap for gap, kept in source.kept_open.items() if kept.never}
+        rest = [gap for gap in gaps if gap not in never]
         problems = rank(source.measured, rest, console.progress)
-        problems += [Problem(gap, Status.NEVER) for gap in never]
+        problems += [Problem(gap, Status.NEVER) for gap in sorted(never)]
     console.result(
         **common.facts(source),
         gaps=[_as_json(source, problem, ranked=arguments.rank) for problem in problems],
