@@ -15,6 +15,7 @@ from mocapmend.names import short_names
 from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import Changed, SharedRecording
 from mocapmend.state import ABSENT, SampleState
+from mocapmend.states import States
 from mocapmend.unsaved import Unsaved
 from mocapmend.working_copy import WorkingCopy
 from mocapmend.written import differing, places_of, shares_of
@@ -114,6 +115,8 @@ class Document(QObject):
         The recording as it was read.
     skeleton : Skeleton or None
         Its bones; None where they are still to be found: `set_skeleton` brings them.
+    states : States, optional
+        Of the samples, where they are known already.
     parent : QObject, optional
         Owns the document.
     """
@@ -123,7 +126,11 @@ class Document(QObject):
     skeleton_changed = Signal()
 
     def __init__(
-        self, source: Source, skeleton: Skeleton | None, parent: QObject | None = None
+        self,
+        source: Source,
+        skeleton: Skeleton | None,
+        states: States | None = None,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self.source = source
@@ -133,9 +140,11 @@ class Document(QObject):
         self.original = source.measured
         self._earlier = dict(_earlier_repairs(source))
         self.repairs = dict(self._earlier)
-        self.left_open: dict[Gap, str] = {}
+        self.left_open = {
+            gap: kept.reason for gap, kept in source.kept_open.items() if not kept.never
+        }
         """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
-        self.set_aside: set[Gap] = set()
+        self.set_aside = set(self.left_open)
         """Those of them that the user has looked at and left open."""
         self.never_reasons = {
             gap: kept.reason for gap, kept in source.kept_open.items() if kept.never
@@ -143,22 +152,7 @@ class Document(QObject):
         """Why gaps shall never be filled, where more is known than that."""
         self.names = short_names(source.recording.labels)
         self._samples = WorkingCopy(source.recording.points)
-        # Trajectories are what is looked through: in memory each is one piece.
-        self._state = np.full(
-            source.recording.present.shape, SampleState.MEASURED, np.uint8, order="F"
-        )
-        self._state[~source.recording.present] = SampleState.MISSING
-        for gap in self.repairs:
-            self._state[gap.start : gap.stop, gap.marker] = SampleState.FILLED
-        for gap, kept in source.kept_open.items():
-            if kept.never:
-                self._state[gap.start : gap.stop, gap.marker] = SampleState.NEVER
-            else:
-                self.left_open[gap] = kept.reason
-                self.set_aside.add(gap)
-        self._runs = [self._find_runs(marker) for marker in range(self.original.markers)]
-        self._gaps = [self._find_gaps(marker) for marker in range(self.original.markers)]
-        self._all_gaps: list[Gap] | None = None
+        self._states = States(source) if states is None else states
         self._written: set[Gap] = set()
         """Runs in which the samples may differ from those of the file."""
         self._shared_file: SharedRecording | None = None
@@ -194,24 +188,20 @@ class Document(QObject):
     @property
     def state(self) -> NDArray[np.uint8]:
         """Current `SampleState` of every sample, shape (frames, markers); a read-only view."""
-        view = self._state.view()
-        view.flags.writeable = False
-        return view
+        return self._states.array
 
     @property
     def gaps(self) -> list[Gap]:
         """The gaps that are open now, by marker and start; not to be changed."""
-        if self._all_gaps is None:
-            self._all_gaps = [gap for of_marker in self._gaps for gap in of_marker]
-        return self._all_gaps
+        return self._states.gaps
 
     def gaps_of(self, marker: int) -> list[Gap]:
         """Return the open gaps of one marker, by start."""
-        return self._gaps[marker]
+        return self._states.gaps_of(marker)
 
     def never_of(self, marker: int) -> list[Gap]:
         """Return the gaps of one marker that shall never be filled, by start."""
-        return self._as_gaps(marker, SampleState.NEVER)
+        return self._states.as_gaps(marker, SampleState.NEVER)
 
     @property
     def never(self) -> list[Gap]:
@@ -228,7 +218,7 @@ class Document(QObject):
         repaired = (gap for gap in self.repairs if gap.marker == marker)
         near = (
             gap
-            for gap in (*self._gaps[marker], *repaired, *self.never_of(marker))
+            for gap in (*self.gaps_of(marker), *repaired, *self.never_of(marker))
             if gap.start - reach <= frame < gap.stop + reach
         )
         return min(near, key=lambda gap: abs((gap.start + gap.stop) / 2.0 - frame), default=None)
@@ -256,7 +246,7 @@ class Document(QObject):
 
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
         """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
-        return self._runs[marker][state]
+        return self._states.runs(marker, state)
 
     def snapshot(self) -> Recording:
         """Return the current samples as a recording of its own."""
@@ -298,7 +288,7 @@ class Document(QObject):
         It is read now; the edits are made as they are asked for.
         """
         places = places_of(runs)
-        values, states = self.points[places], self._state[places]
+        values, states = self.points[places], self.state[places]
         repairs = [self.repairs.get(gap) for gap in runs]
         return (
             Edit(gap, values[own], states[own], repair)
@@ -310,17 +300,14 @@ class Document(QObject):
         changed = tuple(edit.gap for edit in edits)
         places = places_of(changed)
         self._samples.writable()[places] = np.concatenate([edit.values for edit in edits])
-        self._state[places] = np.concatenate([edit.states for edit in edits])
+        states = np.concatenate([edit.states for edit in edits])
+        self._states.write(places, states, {gap.marker for gap in changed})
         for edit in edits:
             if edit.repair is None:
                 self.repairs.pop(edit.gap, None)
             else:
                 self.repairs[edit.gap] = edit.repair
         self._written.update(changed)
-        for marker in {gap.marker for gap in changed}:
-            self._runs[marker] = self._find_runs(marker)
-            self._gaps[marker] = self._find_gaps(marker)
-        self._all_gaps = None
         self.revision += 1
         self.samples_changed.emit(changed)
 
@@ -330,7 +317,7 @@ class Document(QObject):
         Measured samples that an open gap covers are not among it: the file keeps them.
         """
         frames, markers = places = places_of(self._written)
-        covered = np.isin(self._state[places], ABSENT) & self.original.present[places]
+        covered = np.isin(self.state[places], ABSENT) & self.original.present[places]
         rest = frames[~covered], markers[~covered]
         return Unsaved(
             source=self.source,
@@ -345,20 +332,6 @@ class Document(QObject):
         """Return what was repaired and how well, for reports."""
         made = [self.repairs[gap] for gap in sorted(self.repairs)]
         return repair_rows([(one.patch, one.method, one.donors) for one in made], self.original)
-
-    def _find_runs(self, marker: int) -> dict[SampleState, NDArray[np.int64]]:
-        states = self._state[:, marker]
-        changes = np.flatnonzero(states[1:] != states[:-1]) + 1
-        starts = np.concatenate(([0], changes))[: len(states)]
-        spans = np.stack((starts, np.append(changes, len(states))[: len(starts)]), axis=1)
-        kinds = states[starts]
-        return {state: spans[kinds == state] for state in SampleState}
-
-    def _find_gaps(self, marker: int) -> list[Gap]:
-        return self._as_gaps(marker, SampleState.MISSING)
-
-    def _as_gaps(self, marker: int, state: SampleState) -> list[Gap]:
-        return [Gap(marker, start, stop) for start, stop in self._runs[marker][state].tolist()]
 
 
 def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:

@@ -6,7 +6,7 @@ Each is a pure function (files aside) that a worker process can import. No Qt.
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from mocapmend import report, training, user_templates
 from mocapmend.errors import MocapmendError
@@ -26,6 +26,7 @@ from mocapmend.files import (
     write_recording,
 )
 from mocapmend.shared_memory import shared_array
+from mocapmend.states import States
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
@@ -66,17 +67,28 @@ def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     return source, skeleton
 
 
-def load_to_show(path: Path, progress: Progress) -> tuple[Source, Skeleton | None]:
-    """Read a file as `load` does, soon and for many: a search for its skeleton may come later.
+class ToShow(NamedTuple):
+    """What a window needs of a file.
 
-    Its samples are in shared memory where the system has some.
-
-    Returns
-    -------
+    Attributes
+    ----------
     source : Source
         The recording.
     skeleton : Skeleton or None
         None where `search_skeleton` is to find it.
+    states : States
+        Of its samples.
+    """
+
+    source: Source
+    skeleton: Skeleton | None
+    states: States
+
+
+def load_to_show(path: Path, progress: Progress) -> ToShow:
+    """Read a file as `load` does, soon and for many: a search for its skeleton may come later.
+
+    Its samples are in shared memory where the system has some.
 
     Raises
     ------
@@ -89,10 +101,10 @@ def load_to_show(path: Path, progress: Progress) -> tuple[Source, Skeleton | Non
     if complaints:
         source = replace(source, warnings=(*source.warnings, *complaints))
     # Here and now, for the window would wait for it.
-    _ = source.recording.present, source.measured.present
-    skeleton = _stated_skeleton(source)
+    _ = source.measured.present
+    read = ToShow(source, _stated_skeleton(source), States(source))
     progress(1.0)
-    return source, skeleton
+    return read
 
 
 def find_skeleton(source: Source, progress: Progress) -> Skeleton:

@@ -1,5 +1,6 @@
 """Arrays in memory that other processes can read without a copy."""
 
+import mmap
 import os
 from multiprocessing import resource_tracker
 from multiprocessing.shared_memory import SharedMemory
@@ -65,10 +66,41 @@ def attached(name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
     return array
 
 
+def attached_to_change(name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """Return another process's shared array as one's own: what is written is seen here alone.
+
+    It takes memory for what is written only, where the system can do so.
+    """
+    memory = SharedMemory(name=name)
+    shared = np.ndarray(shape, np.float64, buffer=memory.buf)
+    own = _private(memory, shared)
+    array = shared.copy() if own is None else own
+    del shared
+    memory.close()
+    return array
+
+
+def _private(memory: SharedMemory, shared: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Map an array's memory so that pages are copied when they are written; None if impossible."""
+    descriptor = _descriptor(memory)
+    if descriptor < 0:
+        return None
+    try:
+        pages = mmap.mmap(descriptor, shared.nbytes, access=mmap.ACCESS_COPY)
+    except OSError:
+        return None
+    return np.ndarray(shared.shape, np.float64, buffer=pages)
+
+
+def _descriptor(memory: SharedMemory) -> int:
+    """Return the file of a memory block, -1 where the system has none."""
+    return int(getattr(memory, "_fd", -1))
+
+
 def _has_room(memory: SharedMemory, size: int) -> bool:
     """Take all pages now: without room for one, writing to it would kill the process."""
     take = getattr(os, "posix_fallocate", None)
-    descriptor = getattr(memory, "_fd", -1)
+    descriptor = _descriptor(memory)
     if take is None or descriptor < 0:
         return True
     try:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.shared_memory import attached, block_of, shared_array
+from mocapmend.shared_memory import attached, attached_to_change, block_of, shared_array
 from mocapmend_algorithms import Recording
 
 
@@ -27,6 +27,10 @@ class Changed:
     frames: NDArray[np.int64]
     markers: NDArray[np.int64]
     values: NDArray[np.float64]
+
+    def write(self, points: NDArray[np.float64]) -> None:
+        """Put the samples into their places."""
+        points[self.frames, self.markers] = self.values
 
 
 class SharedPoints:
@@ -116,12 +120,17 @@ def _attach(
     name: str, shape: tuple[int, ...], meta: dict[str, Any], changed: Changed | None
 ) -> Recording:
     """Make the recording that a worker gets in place of the handle."""
-    return _received(attached(name, shape), meta, changed)
+    if changed is None:
+        return Recording(attached(name, shape), **meta)
+    points = attached_to_change(name, shape)
+    changed.write(points)
+    return Recording(points, **meta)
 
 
 def _received(
     points: NDArray[np.float64], meta: dict[str, Any], changed: Changed | None
 ) -> Recording:
+    """Make the recording of a worker that got a copy of the samples."""
     return _with(Recording(points, **meta), changed)
 
 
@@ -130,5 +139,5 @@ def _with(recording: Recording, changed: Changed | None) -> Recording:
     if changed is None:
         return recording
     points = recording.points.copy()
-    points[changed.frames, changed.markers] = changed.values
+    changed.write(points)
     return recording.with_points(points)

@@ -182,10 +182,11 @@ def test_a_cancelled_export_leaves_no_file(holed: Path, tmp_path: Path) -> None:
 
 def test_a_recording_to_be_shown_is_in_shared_memory_and_the_same(gait: Path) -> None:
     expected, _ = engine.load(gait, no_progress)
-    source, skeleton = engine.load_to_show(gait, no_progress)
+    source, skeleton, states = engine.load_to_show(gait, no_progress)
     assert block_of(source.recording.points) is not None
     assert source.recording.points.tobytes() == expected.recording.points.tobytes()
     assert source.warnings == expected.warnings
+    assert states.gaps == find_gaps(source.recording.present)
     assert skeleton is None
     found = engine.search_skeleton(source.recording, no_progress)
     assert found == engine.find_skeleton(source, no_progress)

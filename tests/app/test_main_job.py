@@ -341,7 +341,7 @@ def test_the_report_shows_before_and_after(opened: MainWindow, qtbot: QtBot) -> 
     # What is out of sight is drawn when it is seen.
     workspace.show_pane(pane)
     pane.tabs.setCurrentIndex(1)
-    qtbot.waitUntil(lambda: pane.bones.table.rowCount() == len(second.bones))
+    qtbot.waitUntil(lambda: pane.pages.bones.table.rowCount() == len(second.bones))
 
 
 def test_a_repair_can_be_turned_back_into_a_gap(opened: MainWindow, qtbot: QtBot) -> None:

@@ -65,7 +65,7 @@ def test_the_pages_are_reached_by_keyboard(workspace: Workspace, qtbot: QtBot) -
     ]  # fmt: skip
     pane.tabs.setCurrentIndex(MARKERS)
     qtbot.keyClick(pane.tabs, Qt.Key.Key_Tab)
-    qtbot.waitUntil(pane.markers.table.hasFocus)
+    qtbot.waitUntil(pane.pages.markers.table.hasFocus)
 
 
 def test_the_marker_table_has_the_figures_and_leads(workspace: Workspace, qtbot: QtBot) -> None:
@@ -73,7 +73,7 @@ def test_the_marker_table_has_the_figures_and_leads(workspace: Workspace, qtbot:
     fill(workspace, qtbot, 3)
     assert pane.report is not None
     pane.tabs.setCurrentIndex(MARKERS)
-    table = pane.markers.table
+    table = pane.pages.markers.table
     model = table.model()
     rows = pane.report.markers
     assert model.rowCount() == len(rows)
@@ -101,30 +101,30 @@ def test_the_marker_table_has_the_figures_and_leads(workspace: Workspace, qtbot:
 
 def test_the_paragraph_is_copied(workspace: Workspace, qtbot: QtBot) -> None:
     pane = workspace.report
-    assert "No gap was filled." in pane.methods.text.toPlainText()
+    assert "No gap was filled." in pane.pages.methods.text.toPlainText()
     fill(workspace, qtbot, 2)
-    text = pane.methods.text.toPlainText()
+    text = pane.pages.methods.text.toPlainText()
     assert "2 by linear interpolation (method “linear”)." in text
     pane.tabs.setCurrentIndex(METHODS_PAGE)
-    qtbot.mouseClick(pane.methods.copy, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(pane.pages.methods.copy, Qt.MouseButton.LeftButton)
     assert QGuiApplication.clipboard().text() == text
 
 
 def test_reasons_of_a_fill_that_filled_nothing_are_told(workspace: Workspace, qtbot: QtBot) -> None:
     gap = workspace.document.gaps[0]
     workspace.document.leave_open({gap: "it is too far away"})
-    text = workspace.report.methods.text
+    text = workspace.report.pages.methods.text
     qtbot.waitUntil(lambda: "it is too far away (1 gap)" in text.toPlainText(), timeout=20_000)
 
 
 def test_the_history_lists_steps_and_what_was_undone(workspace: Workspace, qtbot: QtBot) -> None:
     pane, stack = workspace.report, workspace.document.undo_stack
-    assert pane.history.table.rowCount() == 0
+    assert pane.pages.history.table.rowCount() == 0
     fill(workspace, qtbot, 2)
     fill(workspace, qtbot, 1)
     gap = min(workspace.document.repairs)
     workspace.push([Edit.clear(gap)], "clear it")
-    table = pane.history.table
+    table = pane.pages.history.table
     qtbot.waitUntil(lambda: table.rowCount() == 3)
     listed = cells(table)
     assert [row[0] for row in listed] == ["1", "2", "3"]
@@ -143,14 +143,14 @@ def test_repairs_of_before_open_the_history(
     workspace = open_in(repaired_gait).workspace
     assert workspace is not None
     count = len(workspace.document.repairs)
-    (row,) = cells(workspace.report.history.table)
+    (row,) = cells(workspace.report.pages.history.table)
     assert row[0] == "0"
     assert row[1] == f"{count} repairs that the file had when it was opened"
     assert row[6] == "before"
 
 
 def test_segments_can_be_counted(workspace: Workspace, qtbot: QtBot) -> None:
-    page, pane = workspace.report.tracking, workspace.report
+    page, pane = workspace.report.pages.tracking, workspace.report
     assert pane.report is not None
     assert pane.report.segment_success is not None
     assert page.unit.isEnabled()
@@ -213,4 +213,4 @@ def test_out_of_sight_nothing_is_drawn_until_it_is_looked_at(
     assert not pane.up_to_date
     window.workspace.show_pane(pane)
     qtbot.waitUntil(lambda: pane.up_to_date)
-    assert pane.bones.table.rowCount() == len(pane.report.bone_names)
+    assert pane.pages.bones.table.rowCount() == len(pane.report.bone_names)

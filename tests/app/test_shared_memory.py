@@ -7,7 +7,13 @@ from multiprocessing.shared_memory import SharedMemory
 import numpy as np
 import pytest
 
-from mocapmend.shared_memory import attached, block_of, shared_array, start_tracker
+from mocapmend.shared_memory import (
+    attached,
+    attached_to_change,
+    block_of,
+    shared_array,
+    start_tracker,
+)
 
 
 @pytest.fixture(autouse=True)
@@ -23,6 +29,27 @@ def test_another_map_of_the_memory_has_the_same_samples() -> None:
     other = attached(name, (4, 2, 3))
     assert other.tobytes() == array.tobytes()
     assert not other.flags.writeable
+
+
+@pytest.mark.parametrize("mapped", [True, False])
+def test_what_is_written_to_a_private_map_is_seen_there_alone(
+    monkeypatch: pytest.MonkeyPatch, mapped: bool
+) -> None:
+    array = shared_array((4, 2, 3))
+    array[:] = np.arange(24.0).reshape(4, 2, 3)
+    name = block_of(array)
+    assert name is not None
+    if not mapped:
+        monkeypatch.setattr("mocapmend.shared_memory._descriptor", lambda memory: -1)
+    own = attached_to_change(name, (4, 2, 3))
+    assert own.tobytes() == array.tobytes()
+    own[2] = -1.0
+    assert (own[2] == -1.0).all()
+    np.testing.assert_array_equal(array, np.arange(24.0).reshape(4, 2, 3))
+    del array
+    gc.collect()
+    assert (own[2] == -1.0).all()
+    assert own[3, 1, 2] == 23.0
 
 
 def test_the_memory_lives_as_long_as_a_view_and_no_longer() -> None:

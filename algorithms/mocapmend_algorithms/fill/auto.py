@@ -294,7 +294,7 @@ def _whole(
 
 
 def _candidates(case: Case, progress: Progress) -> list[Candidate]:
-    brief = _brief(case.gap, case.points.shape[0], case.rate)
+    brief = _brief(case.gap, case.seen.size, case.rate)
     found = time_regression.regress(case, TIMES) if brief or len(case.donors) < FEW else []
     if not len(case.donors):
         return found

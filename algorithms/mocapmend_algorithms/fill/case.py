@@ -7,6 +7,7 @@ import numpy as np
 
 from mocapmend_algorithms.alignment import Alignment, align, mean_shape
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.fill.completion import Completion
 from mocapmend_algorithms.fill.donors import Donors
 from mocapmend_algorithms.fill.gaussian import Times
 from mocapmend_algorithms.fill.lessons import Lesson
@@ -35,8 +36,10 @@ class Case:
         The marker.
     seen : ndarray of bool, shape (frames of the recording,)
         Where the marker is seen.
-    points : ndarray, shape (frames of the recording, markers, 3)
-        The recording.
+    track : ndarray, shape (frames of the recording, 3)
+        The marker's trajectory, NaN where it is not seen.
+    completion : Completion
+        Tells the samples of the donors.
     """
 
     gap: Gap
@@ -47,7 +50,8 @@ class Case:
     donors: Donors
     target: FloatArray
     seen: BoolArray
-    points: FloatArray
+    track: FloatArray
+    completion: Completion
 
     @property
     def samples(self) -> int:
@@ -68,19 +72,17 @@ class Case:
         """Return some of the donors at the frames, or some frames away from them, in mm."""
         if not shift:
             return self._here.take(donors, axis=1)
-        frames = np.clip(self.frames + shift, 0, self.points.shape[0] - 1)
-        chosen: FloatArray = self.points[frames[:, None], self.donors.markers[donors]]
-        return chosen
+        frames = np.clip(self.frames + shift, 0, self.seen.size - 1)
+        return self.completion.at(frames, self.donors.markers[donors])
 
     @cached_property
     def _here(self) -> FloatArray:
         """All donors at the frames: every view looks at them again."""
-        here: FloatArray = self.points[self.frames[:, None], self.donors.markers]
-        return here
+        return self.completion.at(self.frames, self.donors.markers)
 
     def elapsed(self, step: int) -> FloatArray:
         """Return how many frames `at` has between `-step` and `step`, shape (frames,)."""
-        last = self.points.shape[0] - 1
+        last = self.seen.size - 1
         frames = np.minimum(self.frames + step, last) - np.maximum(self.frames - step, 0)
         elapsed: FloatArray = np.maximum(frames, 1).astype(np.float64)
         return elapsed

@@ -5,6 +5,8 @@ bridged with the rigid motion of its own neighbours; that is good to some millim
 learned from it is tested like all else.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from mocapmend_algorithms.alignment import LEAST_FOR_ROTATION, turns
@@ -35,15 +37,17 @@ class Completion:
     def __init__(
         self, points: FloatArray, observed: BoolArray, distances: DonorDistances, rate: float
     ) -> None:
-        self.points = points
-        """The samples with the bridges that were written, once any were."""
-        self._original = points
+        self._points = points
         self._observed = observed
         self._distances = distances
         self._longest = max(1, round(LONGEST_S * rate))
         self._gaps: dict[int, list[Gap]] = {}
         self._known: dict[int, BoolArray] = {}
-        self._done: set[int] = set()
+        self._bridges: dict[int, tuple[IntArray, FloatArray]] = {}
+        """Of a marker that is complete: the frames that are bridged, ascending, and values there.
+
+        A copy of a long recording would take much more.
+        """
 
     def known(self, marker: int) -> BoolArray:
         """Return the frames in which a marker is seen, or missing for a second at most."""
@@ -56,14 +60,43 @@ class Completion:
         return self._known[marker]
 
     def complete(self, marker: int) -> None:
-        """Write bridges into all gaps of a marker that are short enough."""
-        if marker in self._done:
+        """Make bridges for all gaps of a marker that are short enough."""
+        if marker in self._bridges:
             return
-        self._done.add(marker)
         starts = np.array([gap.start for gap in self._bridged(marker)], dtype=np.int64)
         lengths = np.array([gap.length for gap in self._bridged(marker)], dtype=np.int64)
+        frames, values = [np.empty(0, np.int64)], [np.empty((0, 3))]
         for length in np.unique(lengths).tolist():
-            self._bridge(marker, starts[lengths == length], length)
+            for where, bridged in self._bridge(marker, starts[lengths == length], length):
+                frames.append(where.ravel())
+                values.append(bridged.reshape(-1, 3))
+        order = np.argsort(np.concatenate(frames))
+        self._bridges[marker] = np.concatenate(frames)[order], np.concatenate(values)[order]
+
+    def at(self, frames: IntArray, markers: IntArray) -> FloatArray:
+        """Return samples, with the bridges of those markers that are complete.
+
+        Parameters
+        ----------
+        frames : ndarray of int, shape (n,)
+            In any order.
+        markers : ndarray of int, shape (m,)
+            Indices of markers.
+
+        Returns
+        -------
+        ndarray, shape (n, m, 3)
+            In mm.
+        """
+        values: FloatArray = self._points[frames[:, None], markers]
+        for column, marker in enumerate(markers.tolist()):
+            bridged, bridges = self._bridges.get(marker, (frames[:0], values[:0, column]))
+            if not bridged.size:
+                continue
+            place = np.minimum(np.searchsorted(bridged, frames), bridged.size - 1)
+            there = bridged[place] == frames
+            values[there, column] = bridges[place[there]]
+        return values
 
     def _bridged(self, marker: int) -> list[Gap]:
         if marker not in self._gaps:
@@ -76,8 +109,10 @@ class Completion:
             ]
         return self._gaps[marker]
 
-    def _bridge(self, marker: int, starts: IntArray, length: int) -> None:
-        """Bridge gaps of the same length."""
+    def _bridge(
+        self, marker: int, starts: IntArray, length: int
+    ) -> Iterator[tuple[IntArray, FloatArray]]:
+        """Yield frames and values of gaps of the same length, by how many neighbours are seen."""
         around = starts[:, None] + np.arange(-1, length + 1)
         known = self._distances.to(marker)
         known = known[known.best(len(known), NEARNESS)]
@@ -88,12 +123,10 @@ class Completion:
             alike = count == neighbours
             frames = around[alike]
             best = np.nonzero(chosen[alike])[1].reshape(frames.shape[0], neighbours)
-            donors = self.points[frames[:, :, None], known.markers[best][:, None]]
-            ends = self.points[frames[:, [0, -1]], marker]
+            donors = self._points[frames[:, :, None], known.markers[best][:, None]]
+            ends = self._points[frames[:, [0, -1]], marker]
             weights = 1 / (known.spread[best] ** 2 + 1)
-            if self.points is self._original:
-                self.points = self._original.copy()
-            self.points[frames[:, 1:-1], marker] = _moved(ends, donors, weights)
+            yield frames[:, 1:-1], _moved(ends, donors, weights)
 
 
 def _moved(ends: FloatArray, donors: FloatArray, weights: FloatArray) -> FloatArray:

@@ -236,7 +236,7 @@ def _carry(
 
 def _growth(case: Case, start: int, stop: int, frames: IntArray) -> FloatArray:
     """How the error grows away from the edges of a gap: like a bridge between two, else rising."""
-    kind = case.gap.kind(case.points.shape[0])
+    kind = case.gap.kind(case.seen.size)
     if kind == "interior":
         share = (frames - start + 1) / (stop - start + 1)
         growth: FloatArray = 2 * np.sqrt(share * (1 - share))

@@ -140,7 +140,8 @@ class Survey:
             donors=donors,
             target=self.points[lesson.frames, gap.marker],
             seen=self.observed[:, gap.marker],
-            points=self.completion.points,
+            track=self.points[:, gap.marker],
+            completion=self.completion,
         )
 
     def _bridged(self, gap: Gap, markers: IntArray) -> BoolArray:

@@ -49,16 +49,15 @@ def regress(case: Case, kernels: Sequence[Kernel]) -> list[Candidate]:
     seconds = np.arange(longest + 1) / case.rate
     covariance = np.stack([of_time(kernel, seconds) for kernel in kernels])
     noise = np.array([kernel.noise for kernel in kernels])[:, None]
-    track = case.points[:, case.gap.marker]
     fits = [
-        _fit(knots, track[knots], asked, covariance, noise)
+        _fit(knots, case.track[knots], asked, covariance, noise)
         for knots, (_, _, asked) in zip(known, stretches, strict=True)
     ]
     usual = np.median([fit.size for fit in fits], axis=0)
     # A marker that stands still has no size.
     sizes = [np.maximum(np.hypot(fit.size, LEAST_SIZE * usual), LEAST_MM) for fit in fits]
     spreads = [fit.spread * size[:, None] for fit, size in zip(fits, sizes, strict=True)]
-    truths = [track[asked] for _, _, asked in stretches[1:]]
+    truths = [case.track[asked] for _, _, asked in stretches[1:]]
     return [
         Candidate(
             fits[0].values[each],

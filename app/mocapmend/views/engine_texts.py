@@ -60,8 +60,9 @@ def error_text(error: MocapmendError) -> str:
 @lru_cache(maxsize=4096)
 def find(text: str) -> tuple[str, tuple[str, ...]] | None:
     """Return the sentence of the catalogue that fits a text, and the parts that change in it."""
-    for template, pattern in _patterns():
-        if match := pattern.fullmatch(text):
+    for template, start in _templates():
+        # Patterns take long to make: only those are made that may fit.
+        if text.startswith(start) and (match := _pattern(template).fullmatch(text)):
             return template, match.groups()
     return None
 
@@ -74,12 +75,13 @@ def _shown_part(part: str) -> str:
 
 
 @cache
-def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
-    """Make the patterns of all sentences; the more of it is fixed, the earlier it is tried."""
+def _templates() -> tuple[tuple[str, str], ...]:
+    """Return all sentences with what comes before their first place; the most fixed come first."""
     fixed = sorted(SENTENCES, key=lambda text: len(_PLACE.sub("", text)), reverse=True)
-    return tuple((text, _pattern(text)) for text in fixed)
+    return tuple((text, _PLACE.split(text, maxsplit=1)[0]) for text in fixed)
 
 
+@cache
 def _pattern(template: str) -> re.Pattern[str]:
     """Make a pattern of which group k is what {k} stands for."""
     pieces = re.split(r"(\{\d\})", template)

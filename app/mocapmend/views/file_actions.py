@@ -10,14 +10,13 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 from mocapmend import engine, unsaved
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
-from mocapmend.files import FORMATS, LONG_CSV, Source, same_file
+from mocapmend.files import FORMATS, LONG_CSV, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend.views.naming import kind_of, meant, repaired_name
 from mocapmend.views.opening import Opening
 from mocapmend.views.recovery import Recovery
 from mocapmend.views.samples import is_sample
-from mocapmend_algorithms.skeleton import Skeleton
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -110,19 +109,19 @@ class FileActions(QObject):
         self._loading = job
         # Later: a question must not hold up the end of the job.
         job.finished.connect(
-            lambda read: QTimer.singleShot(0, self, lambda: self.adopt(read[0], read[1], opening))
+            lambda read: QTimer.singleShot(0, self, lambda: self.adopt(read, opening))
         )
         job.failed.connect(self._window.show_error)
         job.failed.connect(lambda _: self._forget_if_gone(path))
         job.ended.connect(self._end_loading)
 
-    def adopt(self, source: Source, skeleton: Skeleton | None, opening: Opening) -> None:
+    def adopt(self, read: engine.ToShow, opening: Opening) -> None:
         """Show a recording that has been read, once the edits of the one that goes are saved."""
         leaving = opening.instead_of
         if leaving is None or self._window.documents.of(leaving.document) is None:
-            self._show(source, skeleton, Opening(opening.path, opening.journal))
+            self._show(read, Opening(opening.path, opening.journal))
         else:
-            self.after_saving(leaving, lambda: self._show(source, skeleton, opening))
+            self.after_saving(leaving, lambda: self._show(read, opening))
 
     def close(self, workspace: "Workspace | None" = None) -> None:
         """Close a recording, the current one if none is named."""
@@ -272,11 +271,10 @@ class FileActions(QObject):
     def _end_writing(self) -> None:
         self._writing = [job for job in self._writing if not job.over]
 
-    def _show(self, source: Source, skeleton: Skeleton | None, opening: Opening) -> None:
+    def _show(self, read: engine.ToShow, opening: Opening) -> None:
+        source = read.source
         try:
-            history = self._window.show_source(
-                source, skeleton, opening.journal, opening.instead_of
-            )
+            history = self._window.show_source(read, opening.journal, opening.instead_of)
         except MocapmendError as error:
             self._window.show_error(error)
             return

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend import engine
 from mocapmend.document import Document, Edit
@@ -57,10 +57,16 @@ class Filling(QObject):
         self._jobs = jobs
         self._push = push
         self._ranking = False
+        self._then: Callable[[], None] | None = None
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(0)
+        self._later.timeout.connect(self._go_on)
         self.job: Job | None = None
 
     def stop(self) -> None:
         """Give up what is being computed: the document is going away."""
+        self._later.stop()
         if self.job is not None:
             self.job.abandon()
 
@@ -121,12 +127,24 @@ class Filling(QObject):
         self, way: Way, gaps: list[Gap], result: FillResult, then: Callable[[], None]
     ) -> None:
         self._prospects.add(way, gaps, result)
-        then()
+        # The window comes to its events in between: of ten thousand gaps each step would be felt.
+        self._then = then
+        self._later.start()
 
     def _tell_cancelled(self) -> None:
         self.message.emit(self.tr("Cancelled: nothing was filled."))
 
+    def _go_on(self) -> None:
+        then, self._then = self._then, None
+        if then is not None:
+            then()
+        self._rest()
+
     def _end(self) -> None:
+        if not self._later.isActive():
+            self._rest()
+
+    def _rest(self) -> None:
         self.job = None
         if self._ranking:
             self._survey.start()

@@ -53,12 +53,11 @@ from mocapmend.views.transport import Transport
 from mocapmend.views.welcome import Welcome
 
 if TYPE_CHECKING:
-    from mocapmend.files import Source
+    from mocapmend.engine import ToShow
     from mocapmend.journal import History
     from mocapmend.views.file_actions import FileActions
     from mocapmend.views.proof_actions import ProofActions
     from mocapmend.views.workspace import Workspace
-    from mocapmend_algorithms.skeleton import Skeleton
 
 log = logging.getLogger(__name__)
 
@@ -178,8 +177,7 @@ class MainWindow(QMainWindow):
 
     def show_source(
         self,
-        source: "Source",
-        skeleton: "Skeleton | None",
+        read: "ToShow",
         journal: Path | None = None,
         instead_of: "Workspace | None" = None,
     ) -> "History | None":
@@ -187,10 +185,8 @@ class MainWindow(QMainWindow):
 
         Parameters
         ----------
-        source : Source
+        read : ToShow
             The recording.
-        skeleton : Skeleton or None
-            Its bones; None where they are still to be found.
         journal : Path, optional
             Of edits that are to be recovered.
         instead_of : Workspace, optional
@@ -210,7 +206,7 @@ class MainWindow(QMainWindow):
         from mocapmend.journal import resume
         from mocapmend.views.workspace import Workspace
 
-        document = Document(source, skeleton)
+        document = Document(*read)
         recovered = None if journal is None else resume(journal, document)
         workspace = Workspace(document, self.jobs, self.settings, self.theme, self.actions_by_id)
         workspace.message.connect(self.say)

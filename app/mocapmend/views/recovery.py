@@ -5,9 +5,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from mocapmend.engine import ToShow
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source
 from mocapmend.journal import Abandoned, History, discard, find_abandoned
+from mocapmend.states import States
 from mocapmend.views.opening import Opening
 from mocapmend.views.recovery_dialog import RecoveryDialog
 
@@ -81,9 +83,9 @@ class Recovery(QObject):
         path = abandoned.subject.path
         workspace = self._window.documents.first(abandoned.belongs_to)
         if workspace is not None:
-            document = workspace.document
-            there = Opening(document.source.path, abandoned.journal, workspace)
-            self._files.adopt(document.source, document.found_skeleton, there)
+            source, skeleton = workspace.document.source, workspace.document.found_skeleton
+            there = Opening(source.path, abandoned.journal, workspace)
+            self._files.adopt(ToShow(source, skeleton, States(source)), there)
         elif path.exists():
             self._files.open(path, abandoned.journal)
         else:

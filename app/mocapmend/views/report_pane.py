@@ -1,12 +1,12 @@
 """The report pane: what the repairs changed, in pages, computed anew after every edit."""
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QTabBar, QVBoxLayout, QWidget
-from PySide6.QtWidgets import QStackedWidget as Pages
 
 from mocapmend import engine
 from mocapmend.document import Document
@@ -14,11 +14,8 @@ from mocapmend.jobs import Job, Jobs
 from mocapmend.report import Methods, Report
 from mocapmend.theme import Theme
 from mocapmend.views.action_button import ActionButton
-from mocapmend.views.report_bones import BonesPage
 from mocapmend.views.report_facts import ReportFacts
-from mocapmend.views.report_markers import MarkersPage
-from mocapmend.views.report_texts import HistoryPage, MethodsPage
-from mocapmend.views.report_tracking import TrackingPage
+from mocapmend.views.report_pages import ReportPages
 from mocapmend.views.tables import in_sight
 from mocapmend.viewstate import ViewState
 
@@ -51,23 +48,18 @@ class ReportPane(QWidget):
         self._behind: tuple[Report, Methods] | None = None
         """What is to be shown when the pane is in sight."""
         self._frame_shown = -1
-        self.tracking = TrackingPage(document, theme)
-        self.bones = BonesPage(document, theme)
-        self.markers = MarkersPage(document, view)
-        self.methods = MethodsPage()
-        self.history = HistoryPage(document, facts)
+        self._theme = theme
         self.tabs = QTabBar()
-        self.pages = Pages()
-        for page, title in (
-            (self.tracking, self.tr("Tracking")),
-            (self.bones, self.tr("Bones")),
-            (self.markers, self.tr("Markers")),
-            (self.methods, self.tr("Methods")),
-            (self.history, self.tr("History")),
+        for title in (
+            self.tr("Tracking"),
+            self.tr("Bones"),
+            self.tr("Markers"),
+            self.tr("Methods"),
+            self.tr("History"),
         ):
-            self.pages.addWidget(page)
             self.tabs.addTab(title)
-        self._arrange(ActionButton(actions["check_copy"], self.tr("Check a copy…")))
+        self._check = ActionButton(actions["check_copy"], self.tr("Check a copy…"))
+        self._arrange()
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(DELAY_MS)
@@ -77,6 +69,17 @@ class ReportPane(QWidget):
         document.skeleton_changed.connect(self._timer.start)
         view.frame_changed.connect(self._move_playheads)
 
+    @cached_property
+    def pages(self) -> ReportPages:
+        """The pages: their plots take long to make, so that they are made when they are seen."""
+        pages = ReportPages(self._document, self._facts, self._view, self._theme)
+        self._body.addWidget(pages, 1)
+        pages.setCurrentIndex(self.tabs.currentIndex())
+        self.tabs.currentChanged.connect(pages.setCurrentIndex)
+        for one, other in pairwise((self.tabs, *pages.fields, self._check)):
+            QWidget.setTabOrder(one, other)
+        return pages
+
     @property
     def up_to_date(self) -> bool:
         """Whether the pages show what was computed last; they do not while out of sight."""
@@ -84,8 +87,9 @@ class ReportPane(QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
-        self.tracking.set_theme(theme)
-        self.bones.set_theme(theme)
+        self._theme = theme
+        if "pages" in self.__dict__:
+            self.pages.set_theme(theme)
 
     def show_proof(self, text: str, sentences: Sequence[str] = ()) -> None:
         """Say what is proved about the last export; the methods paragraph says it too."""
@@ -104,11 +108,10 @@ class ReportPane(QWidget):
             self._job.abandon()
             self._job = None
 
-    def _arrange(self, check: ActionButton) -> None:
+    def _arrange(self) -> None:
         self.tabs.setAccessibleName(self.tr("Pages of the report"))
         self.tabs.setDrawBase(False)
         self.tabs.setExpanding(False)
-        self.tabs.currentChanged.connect(self.pages.setCurrentIndex)
         self._proof = QLabel()
         self._proof.setTextFormat(Qt.TextFormat.PlainText)
         self._proof.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -118,25 +121,13 @@ class ReportPane(QWidget):
         head.setSpacing(12)
         head.addWidget(self.tabs)
         head.addWidget(self._proof, 1)
-        head.addWidget(check)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addLayout(head)
-        layout.addWidget(self.pages, 1)
+        head.addWidget(self._check)
+        self._body = QVBoxLayout(self)
+        self._body.setContentsMargins(4, 4, 4, 4)
+        self._body.setSpacing(4)
+        self._body.addLayout(head)
+        self._body.setAlignment(head, Qt.AlignmentFlag.AlignTop)
         self.setFocusProxy(self.tabs)
-        fields = (
-            self.tabs,
-            self.tracking.unit,
-            self.bones.table,
-            self.markers.table,
-            self.methods.text,
-            self.methods.copy,
-            self.history.table,
-            check,
-        )
-        for one, other in pairwise(fields):
-            QWidget.setTabOrder(one, other)
 
     def _compute(self) -> None:
         self.stop()
@@ -169,10 +160,7 @@ class ReportPane(QWidget):
         if self._behind is None or not in_sight(self):
             return
         (self.report, methods), self._behind = self._behind, None
-        self.tracking.show_report(self.report)
-        self.bones.show_report(self.report)
-        self.markers.show_report(self.report)
-        self.methods.show_methods(methods)
+        self.pages.show_report(self.report, methods)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -187,5 +175,4 @@ class ReportPane(QWidget):
     def _move_playheads(self) -> None:
         if in_sight(self):
             self._frame_shown = self._view.frame
-            for plot in (*self.tracking.plots, self.bones.plot):
-                plot.show_frame(self._view.frame)
+            self.pages.show_frame(self._view.frame)

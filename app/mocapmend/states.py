@@ -1,0 +1,91 @@
+"""The state of every sample, and the runs and gaps that follow from it. No Qt."""
+
+from collections.abc import Collection
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend.files import Source
+from mocapmend.state import SampleState
+from mocapmend_algorithms import Gap
+
+
+class States:
+    """What is known of every sample of a document.
+
+    It takes a while to make for a long recording, so that who reads the file makes it.
+
+    Parameters
+    ----------
+    source : Source
+        The recording as it was read; its earlier repairs count as filled, and what it says is
+        never to be filled is so.
+    """
+
+    def __init__(self, source: Source) -> None:
+        present = source.recording.present
+        # Trajectories are what is looked through: in memory each is one piece.
+        self._states = np.full(present.shape, SampleState.MEASURED, np.uint8, order="F")
+        self._states[~present] = SampleState.MISSING
+        for gap in source.repaired:
+            self._states[gap.start : gap.stop, gap.marker] = SampleState.FILLED
+        for gap in (gap for gap, kept in source.kept_open.items() if kept.never):
+            self._states[gap.start : gap.stop, gap.marker] = SampleState.NEVER
+        markers = range(present.shape[1])
+        self._runs = [self._find_runs(marker) for marker in markers]
+        self._gaps = [self.as_gaps(marker, SampleState.MISSING) for marker in markers]
+        self._all_gaps: list[Gap] | None = None
+        _ = self.gaps
+
+    @property
+    def array(self) -> NDArray[np.uint8]:
+        """`SampleState` of every sample, shape (frames, markers); a read-only view."""
+        view = self._states.view()
+        view.flags.writeable = False
+        return view
+
+    @property
+    def gaps(self) -> list[Gap]:
+        """The gaps that are open, by marker and start; not to be changed."""
+        if self._all_gaps is None:
+            self._all_gaps = [gap for of_marker in self._gaps for gap in of_marker]
+        return self._all_gaps
+
+    def gaps_of(self, marker: int) -> list[Gap]:
+        """Return the open gaps of one marker, by start; not to be changed."""
+        return self._gaps[marker]
+
+    def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
+        """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
+        return self._runs[marker][state]
+
+    def as_gaps(self, marker: int, state: SampleState) -> list[Gap]:
+        """Return the runs of a marker in a state, by start."""
+        return [Gap(marker, start, stop) for start, stop in self._runs[marker][state].tolist()]
+
+    def write(self, places: Any, values: NDArray[np.uint8], markers: Collection[int]) -> None:
+        """Give samples other states.
+
+        Parameters
+        ----------
+        places : tuple of ndarray
+            Their frames and markers.
+        values : ndarray of uint8
+            `SampleState` values.
+        markers : collection of int
+            The markers among the places.
+        """
+        self._states[places] = values
+        for marker in markers:
+            self._runs[marker] = self._find_runs(marker)
+            self._gaps[marker] = self.as_gaps(marker, SampleState.MISSING)
+        self._all_gaps = None
+
+    def _find_runs(self, marker: int) -> dict[SampleState, NDArray[np.int64]]:
+        states = self._states[:, marker]
+        changes = np.flatnonzero(states[1:] != states[:-1]) + 1
+        starts = np.concatenate(([0], changes))[: len(states)]
+        spans = np.stack((starts, np.append(changes, len(states))[: len(starts)]), axis=1)
+        kinds = states[starts]
+        return {state: spans[kinds == state] for state in SampleState}
