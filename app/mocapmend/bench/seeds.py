@@ -16,7 +16,8 @@ from mocapmend.files import Layout, read_c3d
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.formats import FORMATS
-from mocapmend_algorithms import no_progress
+from mocapmend.files.records import NEVER_FILLED
+from mocapmend_algorithms import Gap, no_progress
 
 KEPT_FRAMES = 24
 KEPT_BYTES = 1 << 16
@@ -81,10 +82,15 @@ def _synthetic() -> Iterator[Seed]:
 
 
 def _repaired(path: Path) -> Seed:
-    """Fill the gaps of a file: the copy has a record of that."""
+    """Fill the gaps of a file but the last, which is kept open: the copy has a record of that."""
     source = read_c3d(path)
     out = path.with_name("repaired.c3d")
-    engine.export(source, fill_gaps(source), out, False, False, no_progress)  # noqa: FBT003
+    filled = fill_gaps(source)
+    last = filled.runs[-1]
+    gap = Gap(last.marker, last.start, last.start + len(last.values))
+    kept = engine.kept_gap(source, gap, never=True, reason=NEVER_FILLED)
+    changes = engine.Changes(filled.runs[:-1], filled.repairs[:-1], (kept,))
+    engine.export(source, changes, out, False, False, no_progress)  # noqa: FBT003
     return replace(_c3d_seed(out, source.recording.frames), kind="C3D with a repair record")
 
 

@@ -153,10 +153,10 @@ class Filling(QObject):
     def _accept(self, way: Way, limits: Limits) -> None:
         """Take what is within the limits; gaps that were repaired meanwhile stay as they are."""
         result, _ = self.planned(way, limits)
-        open_gaps = set(self._document.gaps)
-        self._document.leave_open(
-            {entry.gap: entry.reason for entry in result.unfilled if entry.gap in open_gaps}
-        )
+        reasons = {entry.gap: entry.reason for entry in result.unfilled}
+        for gap in self._document.never:
+            reasons.pop(gap, None)
+        self._document.leave_open(reasons)
         filled, left = len(result.patches), len(result.unfilled)
         if filled:
             edits = Edit.fills(result, *way)
