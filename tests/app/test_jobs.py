@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
+from worker_modules import loaded
 
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
@@ -134,6 +135,14 @@ def test_a_recording_reaches_the_worker_through_shared_memory(jobs: Jobs, qtbot:
     with qtbot.waitSignal(job.finished, timeout=20_000) as finished:
         pass
     assert finished.args[0] == (np.nansum(points), 120.0, "A")
+
+
+def test_a_worker_loads_no_qt(jobs: Jobs, qtbot: QtBot) -> None:
+    names = ("PySide6", "pyqtgraph", "mocapmend.jobs", "mocapmend.workers", "worker_modules")
+    job = jobs.compute("loaded", loaded, names)
+    with qtbot.waitSignal(job.finished, timeout=20_000) as finished:
+        pass
+    assert finished.args == [["mocapmend.workers", "worker_modules"]]
 
 
 def test_more_jobs_than_slots_is_a_clear_error(jobs: Jobs, qtbot: QtBot) -> None:

@@ -11,11 +11,11 @@ from PySide6.QtCore import QEventLoop, QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from mocapmend.errors import MocapmendError
-from mocapmend.jobs import WORKERS
 from mocapmend.settings import RANKING, Settings
 from mocapmend.views.application import make_application
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
+from mocapmend.workers import WORKERS
 from mocapmend_algorithms import Progress
 
 T = TypeVar("T")
