@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 from c3d_synthetic import Synthetic, encode
 from holes import HOLES
+from lent_workers import LentWorkers
 from PySide6.QtCore import QLocale, QSettings, QTranslator
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 from repaired_files import write_repaired
 
+from mocapmend import jobs as jobs_module
 from mocapmend.document import Document
 from mocapmend.engine import load
 from mocapmend.files import read_c3d
@@ -19,6 +21,7 @@ from mocapmend.jobs import Jobs
 from mocapmend.settings import LANGUAGE, RANKING, Settings
 from mocapmend.views import language
 from mocapmend.views.main_window import MainWindow
+from mocapmend.workers import Workers
 from mocapmend_algorithms import no_progress
 
 
@@ -33,6 +36,20 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(QFileDialog, name, refuse)
     for name in ("exec", "about", "critical", "information", "question", "warning"):
         monkeypatch.setattr(QMessageBox, name, refuse)
+
+
+@pytest.fixture(scope="session")
+def kept_workers() -> Iterator[Workers]:
+    """Return worker processes that are started once."""
+    workers = Workers()
+    yield workers
+    workers.shut_down()
+
+
+@pytest.fixture(autouse=True)
+def lent_workers(kept_workers: Workers, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the jobs of each test use the same worker processes, one after the other."""
+    monkeypatch.setattr(jobs_module, "Workers", lambda: LentWorkers(kept_workers))
 
 
 @pytest.fixture

@@ -24,6 +24,11 @@ from mocapmend.views.job_indicator import JobIndicator
 from mocapmend_algorithms import Progress, Recording
 
 
+@pytest.fixture
+def lent_workers() -> None:
+    """Give each test worker processes of its own: how they begin and end is tested here."""
+
+
 def double(value: int, progress: Progress) -> int:
     progress(0.5)
     return 2 * value
