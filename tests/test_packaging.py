@@ -3,6 +3,7 @@
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -41,6 +42,29 @@ class TestRepository:
         lines = script.read_text(encoding="utf-8").splitlines()
         assert lines[-1] == TEST_COMMAND
         assert "set -euo pipefail" in lines
+
+    @pytest.mark.skipif(shutil.which("bash") is None, reason="a script of bash")
+    @pytest.mark.parametrize("code", [0, 1, 3])
+    def test_ci_ends_as_the_tests_end(self, tmp_path: Path, code: int) -> None:
+        for name in (".ci/run", "packaging/dev.py"):
+            copy = tmp_path / name
+            copy.parent.mkdir()
+            shutil.copy(ROOT / name, copy)
+        (tmp_path / "packaging" / "tasks.py").write_text(f"""
+import os, pathlib
+def main(arguments):
+    folder = pathlib.Path(os.environ["MOCAPMEND_VENV"])
+    folder.mkdir()
+    print(arguments, folder.parent)
+    return {code}
+""")
+        done = subprocess.run(
+            ["bash", tmp_path / ".ci" / "run"], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == code
+        arguments, _, folder = done.stdout.strip().partition("] ")
+        assert arguments == "['test'"
+        assert not Path(folder).exists()
 
     def test_credits_list_every_sample_with_its_hash(self, samples: Path) -> None:
         text = (samples.parent / "CREDITS.md").read_text(encoding="utf-8")
