@@ -1,6 +1,7 @@
 """Fixtures of the window tests: settings of their own, documents, drained workers."""
 
 from collections.abc import Callable, Iterator
+from functools import partialmethod
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,23 @@ from mocapmend.views import language
 from mocapmend.views.main_window import MainWindow
 from mocapmend.workers import Workers
 from mocapmend_algorithms import no_progress
+
+PATIENCE_MS = 90_000
+
+
+class PatientBot(QtBot):
+    """Waits long: on a machine with much else to do, slow is no failure."""
+
+    waitExposed = partialmethod(QtBot.waitExposed, timeout=PATIENCE_MS)  # noqa: N815
+    waitSignal = partialmethod(QtBot.waitSignal, timeout=PATIENCE_MS)  # noqa: N815
+    waitSignals = partialmethod(QtBot.waitSignals, timeout=PATIENCE_MS)  # noqa: N815
+    waitUntil = partialmethod(QtBot.waitUntil, timeout=PATIENCE_MS)  # noqa: N815
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
+    """Return a bot that gives up shortly before the test's own timeout."""
+    return PatientBot(request)
 
 
 @pytest.fixture(autouse=True)
