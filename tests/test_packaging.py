@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from threadpoolctl import threadpool_info
 
 ROOT = Path(__file__).resolve().parent.parent
 TEST_COMMAND = "python3 packaging/dev.py test"
@@ -77,6 +78,12 @@ def main(arguments):
 
 
 class TestDependencies:
+    def test_tests_compute_in_one_thread_as_the_program_does(self) -> None:
+        import scipy.linalg  # noqa: F401
+
+        libraries = [each for each in threadpool_info() if each["user_api"] == "blas"]
+        assert [each["num_threads"] for each in libraries] == [1] * len(libraries)
+
     def test_pin_keeps_out_the_pyside_that_aborts(self) -> None:
         project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
         wanted = [Requirement(line) for line in project["dependencies"]]
