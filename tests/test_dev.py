@@ -207,7 +207,8 @@ class TestTasks:
         (tmp_path / "test_some.py").write_text(SOME_TESTS)
         here = SimpleNamespace(python=Path(sys.executable))
         monkeypatch.setattr(dev.tasks, "prepare", lambda *_, **__: here)
-        assert dev.tasks.main(["test", "-c", str(tmp_path / "pytest.ini"), str(tmp_path)]) == 1
+        words = ["-c", str(tmp_path / "pytest.ini"), "-n2", str(tmp_path)]
+        assert dev.tasks.main(["test", *words]) == 1
         text = capfd.readouterr().out
         failed = re.findall(r"^FAILED .*test_some\.py::(\w+)", text, re.MULTILINE)
         assert sorted(failed) == ["test_that_aborts", "test_that_fails"]
