@@ -14,10 +14,13 @@ from steps import ROOT, SetupError, step
 
 SAMPLE = ROOT / "resources" / "mocapmend_resources" / "samples" / "sprint_basketball.c3d"
 HEADLESS = ROOT / "build" / "headless"
+# One process per core, but no more memory than eight take; who is done takes over others' tests.
+IN_PARALLEL = ("-n", "auto", "--maxprocesses", "8", "--dist", "worksteal")
 HELP = """\
 python3 packaging/dev.py run [FILE]           open the window, by default on a bundled recording
 python3 packaging/dev.py test [ARGUMENT ...]  run the linters, the type checker and the tests;
-                                              with arguments for pytest, pytest alone
+                                              with arguments for pytest, pytest alone;
+                                              -n0 runs them in one process
 
 Both first make a virtual environment (.venv, or the folder that MOCAPMEND_VENV names) and install
 what is missing. Without a display, run repairs the recording from the command line instead.
@@ -101,5 +104,6 @@ def test(arguments: Sequence[str]) -> int:
         for title, words in checks.items():
             passed &= step(title, [python, "-m", *words])
     variables = {"QT_QPA_PLATFORM": "offscreen", **os.environ}
-    code = subprocess.call([str(python), "-m", "pytest", *arguments], cwd=ROOT, env=variables)
+    command = [str(python), "-m", "pytest", *IN_PARALLEL, *arguments]
+    code = subprocess.call(command, cwd=ROOT, env=variables)
     return code if passed else code or 1

@@ -5,9 +5,12 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from threadpoolctl import threadpool_limits
 
-import mocapmend  # noqa: F401 - before numpy, which it tells to use one thread
+import mocapmend  # noqa: F401 - what is loaded from now on, and other processes, use one thread
 
+# A plugin of pytest may have loaded numpy before.
+threadpool_limits(1, user_api="blas")
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 # The same examples on every machine and in every order; slow machines are no failures.

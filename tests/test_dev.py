@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -73,6 +74,14 @@ import pathlib, sys
 with open({log!r}, "a") as log:
     print(*sys.argv[1:], sep="|", file=log)
 sys.exit(3 if sys.argv[1] == {fails!r} else 0)
+"""
+
+
+SOME_TESTS = """
+import os
+def test_that_aborts(): os.abort()
+def test_that_fails(): assert False
+def test_that_passes(): pass
 """
 
 
@@ -185,7 +194,25 @@ class TestTasks:
         monkeypatch.setattr(dev.tasks, "step", lambda title, _: title != failing)
         monkeypatch.setattr(dev.tasks.subprocess, "call", call)
         assert dev.tasks.main(["test", *arguments]) == code
-        assert calls == [["python", "-m", "pytest", *arguments]]
+        assert calls == [["python", "-m", "pytest", *dev.tasks.IN_PARALLEL, *arguments]]
+
+    def test_tests_that_fail_or_end_their_process_are_named(
+        self,
+        dev: SimpleNamespace,
+        monkeypatch: pytest.MonkeyPatch,
+        tmp_path: Path,
+        capfd: pytest.CaptureFixture[str],
+    ) -> None:
+        (tmp_path / "pytest.ini").write_text("[pytest]\nqt_api = pyside6\n")
+        (tmp_path / "test_some.py").write_text(SOME_TESTS)
+        here = SimpleNamespace(python=Path(sys.executable))
+        monkeypatch.setattr(dev.tasks, "prepare", lambda *_, **__: here)
+        words = ["-c", str(tmp_path / "pytest.ini"), "-n2", str(tmp_path)]
+        assert dev.tasks.main(["test", *words]) == 1
+        text = capfd.readouterr().out
+        failed = re.findall(r"^FAILED .*test_some\.py::(\w+)", text, re.MULTILINE)
+        assert sorted(failed) == ["test_that_aborts", "test_that_fails"]
+        assert "2 failed, 1 passed" in text
 
 
 class TestEnvironment:

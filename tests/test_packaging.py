@@ -3,6 +3,7 @@
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from threadpoolctl import threadpool_info
 
 ROOT = Path(__file__).resolve().parent.parent
 TEST_COMMAND = "python3 packaging/dev.py test"
@@ -42,6 +44,29 @@ class TestRepository:
         assert lines[-1] == TEST_COMMAND
         assert "set -euo pipefail" in lines
 
+    @pytest.mark.skipif(shutil.which("bash") is None, reason="a script of bash")
+    @pytest.mark.parametrize("code", [0, 1, 3])
+    def test_ci_ends_as_the_tests_end(self, tmp_path: Path, code: int) -> None:
+        for name in (".ci/run", "packaging/dev.py"):
+            copy = tmp_path / name
+            copy.parent.mkdir()
+            shutil.copy(ROOT / name, copy)
+        (tmp_path / "packaging" / "tasks.py").write_text(f"""
+import os, pathlib
+def main(arguments):
+    folder = pathlib.Path(os.environ["MOCAPMEND_VENV"])
+    folder.mkdir()
+    print(arguments, folder.parent)
+    return {code}
+""")
+        done = subprocess.run(
+            ["bash", tmp_path / ".ci" / "run"], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == code
+        arguments, _, folder = done.stdout.strip().partition("] ")
+        assert arguments == "['test'"
+        assert not Path(folder).exists()
+
     def test_credits_list_every_sample_with_its_hash(self, samples: Path) -> None:
         text = (samples.parent / "CREDITS.md").read_text(encoding="utf-8")
         listed = dict(re.findall(r"\| (\S+\.c3d) \| ([0-9a-f]{64}) \|", text))
@@ -53,6 +78,12 @@ class TestRepository:
 
 
 class TestDependencies:
+    def test_tests_compute_in_one_thread_as_the_program_does(self) -> None:
+        import scipy.linalg  # noqa: F401
+
+        libraries = [each for each in threadpool_info() if each["user_api"] == "blas"]
+        assert [each["num_threads"] for each in libraries] == [1] * len(libraries)
+
     def test_pin_keeps_out_the_pyside_that_aborts(self) -> None:
         project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
         wanted = [Requirement(line) for line in project["dependencies"]]

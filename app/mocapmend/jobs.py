@@ -5,34 +5,20 @@ reading and writing files runs in a thread.
 """
 
 import gc
-import multiprocessing
-import os
 import sys
-import threading
 from collections.abc import Callable
-from concurrent.futures import (
-    CancelledError,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-)
+from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from importlib import import_module
 from typing import Any
 
 from pyqtgraph.util.garbage_collector import GarbageCollector
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend.errors import MocapmendError
-from mocapmend.shared_memory import start_tracker
 from mocapmend.shared_recording import SharedRecording
+from mocapmend.workers import Board, Workers
 from mocapmend_algorithms import Cancelled
 
-SLOTS = 32
-WORKERS = 2
-"""One for what takes long, one for the preview that the user waits for."""
-SLOW_TO_LOAD = ("mocapmend.engine", "scipy.linalg", "scipy.optimize")
 SWITCH_S = 0.0005
 """How long a thread may keep the interpreter while the window's thread waits for it.
 
@@ -41,56 +27,6 @@ is painted beside a busy thread takes a good part of a second.
 """
 POLL_MS = 10
 """How often the window's thread looks at its jobs: no other thread touches a Qt object."""
-
-_board: "Board | None" = None
-
-
-class Board:
-    """Progress and cancel flags of running jobs, shared with the workers."""
-
-    def __init__(self) -> None:
-        context = multiprocessing.get_context("spawn")
-        self.progress = context.Array("d", SLOTS, lock=False)
-        self.cancel = context.Array("b", SLOTS, lock=False)
-
-    def reporter(self, slot: int) -> Callable[[float], None]:
-        """Return the progress function of the job in a slot."""
-
-        def progress(fraction: float) -> None:
-            self.progress[slot] = fraction
-            if self.cancel[slot]:
-                raise Cancelled
-
-        return progress
-
-
-def _adopt(board: Board) -> None:
-    """Give a new worker process the flags."""
-    global _board  # noqa: PLW0603 - the one thing that a pool's initializer can do
-    _board = board
-    threading.Thread(target=_leave_with_parent, daemon=True).start()
-
-
-def _leave_with_parent() -> None:
-    """End with the window, however it ended: else memory stays taken that nobody can free."""
-    parent = multiprocessing.parent_process()
-    assert parent is not None
-    parent.join()
-    os._exit(1)
-
-
-def _get_ready() -> None:
-    """Load what takes long to load."""
-    for name in SLOW_TO_LOAD:
-        import_module(name)
-
-
-def _call_in_process(slot: int, function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
-    # Not at the top: the window starts without what repairs need.
-    from mocapmend.pieces import in_pieces
-
-    assert _board is not None
-    return in_pieces(function(*args, _board.reporter(slot)))
 
 
 def _call_in_thread(
@@ -204,12 +140,9 @@ class Jobs(QObject):
         self._garbage = GarbageCollector()
         self._usual_switch = sys.getswitchinterval()
         sys.setswitchinterval(SWITCH_S)
-        start_tracker()
-        self._board = Board()
-        self._free = list(range(SLOTS))
+        self._workers = Workers()
         self._running: dict[int, Job] = {}
         self._threads = ThreadPoolExecutor(max_workers=2, thread_name_prefix="mocapmend")
-        self._processes: ProcessPoolExecutor | None = None
         self._timer = QTimer(self)
         self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self._poll)
@@ -227,56 +160,37 @@ class Jobs(QObject):
         A quiet job is one that nobody asked for in so many words: it is not shown as running.
         """
         slot = self._take_slot(title)
-        try:
-            future = self._pool().submit(_call_in_process, slot, function, args)
-        except BrokenProcessPool:
-            self._processes = None
-            future = self._pool().submit(_call_in_process, slot, function, args)
+        future = self._workers.submit(slot, function, args)
         return self._start(title, slot, future, args, quiet=quiet)
 
     def read_or_write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Run `function(*args, progress)` in a thread: for files, which wait more than compute."""
         slot = self._take_slot(title)
-        future = self._threads.submit(_call_in_thread, self._board.reporter(slot), function, args)
+        progress = self._workers.board.reporter(slot)
+        future = self._threads.submit(_call_in_thread, progress, function, args)
         return self._start(title, slot, future, args)
 
     def warm_up(self) -> None:
         """Start the worker processes before they are first needed."""
-        for _ in range(WORKERS):
-            self._pool().submit(_get_ready)
+        self._workers.warm_up()
 
     def shut_down(self) -> None:
         """Cancel everything and wait for the workers to end."""
         for job in self._running.values():
             job.cancel()
-        executors: list[Executor] = [self._threads]
-        if self._processes is not None:
-            executors.append(self._processes)
-        for executor in executors:
-            executor.shutdown(wait=True, cancel_futures=True)
+        self._threads.shutdown(wait=True, cancel_futures=True)
+        self._workers.shut_down()
         self._timer.stop()
         self._garbage.timer.stop()
         gc.enable()
         sys.setswitchinterval(self._usual_switch)
 
-    def _pool(self) -> ProcessPoolExecutor:
-        if self._processes is None:
-            self._processes = ProcessPoolExecutor(
-                max_workers=WORKERS,
-                mp_context=multiprocessing.get_context("spawn"),
-                initializer=_adopt,
-                initargs=(self._board,),
-            )
-        return self._processes
-
     def _take_slot(self, title: str) -> int:
-        if not self._free:
+        slot = self._workers.take_slot()
+        if slot is None:
             raise MocapmendError(
                 "Too many jobs are running at once.", title, "Wait for one to end."
             )
-        slot = self._free.pop()
-        self._board.progress[slot] = 0.0
-        self._board.cancel[slot] = 0
         return slot
 
     def _start(
@@ -288,7 +202,7 @@ class Jobs(QObject):
         *,
         quiet: bool = False,
     ) -> Job:
-        job = Job(title, self._board, slot, future, held)
+        job = Job(title, self._workers.board, slot, future, held)
         job.quiet = quiet
         job.ended.connect(self._retire)
         self._running[slot] = job
@@ -299,7 +213,7 @@ class Jobs(QObject):
     def _retire(self) -> None:
         for job in [job for job in self._running.values() if job.over]:
             del self._running[job.slot]
-            self._free.append(job.slot)
+            self._workers.give_back(job.slot)
             self.ended.emit(job)
         if not self._running:
             self._timer.stop()

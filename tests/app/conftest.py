@@ -1,17 +1,20 @@
 """Fixtures of the window tests: settings of their own, documents, drained workers."""
 
 from collections.abc import Callable, Iterator
+from functools import partialmethod
 from pathlib import Path
 
 import numpy as np
 import pytest
 from c3d_synthetic import Synthetic, encode
 from holes import HOLES
+from lent_workers import LentWorkers
 from PySide6.QtCore import QLocale, QSettings, QTranslator
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 from repaired_files import write_repaired
 
+from mocapmend import jobs as jobs_module
 from mocapmend.document import Document
 from mocapmend.engine import load
 from mocapmend.files import read_c3d
@@ -19,7 +22,25 @@ from mocapmend.jobs import Jobs
 from mocapmend.settings import LANGUAGE, RANKING, Settings
 from mocapmend.views import language
 from mocapmend.views.main_window import MainWindow
+from mocapmend.workers import Workers
 from mocapmend_algorithms import no_progress
+
+PATIENCE_MS = 90_000
+
+
+class PatientBot(QtBot):
+    """Waits long: on a machine with much else to do, slow is no failure."""
+
+    waitExposed = partialmethod(QtBot.waitExposed, timeout=PATIENCE_MS)  # noqa: N815
+    waitSignal = partialmethod(QtBot.waitSignal, timeout=PATIENCE_MS)  # noqa: N815
+    waitSignals = partialmethod(QtBot.waitSignals, timeout=PATIENCE_MS)  # noqa: N815
+    waitUntil = partialmethod(QtBot.waitUntil, timeout=PATIENCE_MS)  # noqa: N815
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
+    """Return a bot that gives up shortly before the test's own timeout."""
+    return PatientBot(request)
 
 
 @pytest.fixture(autouse=True)
@@ -33,6 +54,20 @@ def _no_modal_dialog(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(QFileDialog, name, refuse)
     for name in ("exec", "about", "critical", "information", "question", "warning"):
         monkeypatch.setattr(QMessageBox, name, refuse)
+
+
+@pytest.fixture(scope="session")
+def kept_workers() -> Iterator[Workers]:
+    """Return worker processes that are started once."""
+    workers = Workers()
+    yield workers
+    workers.shut_down()
+
+
+@pytest.fixture(autouse=True)
+def lent_workers(kept_workers: Workers, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the jobs of each test use the same worker processes, one after the other."""
+    monkeypatch.setattr(jobs_module, "Workers", lambda: LentWorkers(kept_workers))
 
 
 @pytest.fixture

@@ -15,12 +15,18 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
+from worker_modules import loaded
 
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
 from mocapmend.shared_recording import SharedRecording
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend_algorithms import Progress, Recording
+
+
+@pytest.fixture
+def lent_workers() -> None:
+    """Give each test worker processes of its own: how they begin and end is tested here."""
 
 
 def double(value: int, progress: Progress) -> int:
@@ -134,6 +140,14 @@ def test_a_recording_reaches_the_worker_through_shared_memory(jobs: Jobs, qtbot:
     with qtbot.waitSignal(job.finished, timeout=20_000) as finished:
         pass
     assert finished.args[0] == (np.nansum(points), 120.0, "A")
+
+
+def test_a_worker_loads_no_qt(jobs: Jobs, qtbot: QtBot) -> None:
+    names = ("PySide6", "pyqtgraph", "mocapmend.jobs", "mocapmend.workers", "worker_modules")
+    job = jobs.compute("loaded", loaded, names)
+    with qtbot.waitSignal(job.finished, timeout=20_000) as finished:
+        pass
+    assert finished.args == [["mocapmend.workers", "worker_modules"]]
 
 
 def test_more_jobs_than_slots_is_a_clear_error(jobs: Jobs, qtbot: QtBot) -> None:

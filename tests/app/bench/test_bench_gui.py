@@ -1,6 +1,6 @@
 """The benchmark of the window: its rows and its children, with few frames and without MNE."""
 
-import subprocess
+import json
 import sys
 from pathlib import Path
 from typing import Any
@@ -8,13 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mocapmend.bench import main
 from mocapmend.bench.gui import command, mne_browser
 from mocapmend.bench.gui.measure import measure
 from mocapmend.bench.gui.rows import held_against, limited
 from mocapmend.bench.gui.steps import PAGE_S, page_starts, pan_ranges, zoom_ranges
 from mocapmend.bench.synthetic import write_recording
+from mocapmend.bench.table import Row
 from mocapmend.errors import MocapmendError
 from mocapmend.files import read_recording
+
+QUICK = ["--runs", "1", "--frames", "2000"]
 
 
 @pytest.fixture
@@ -54,16 +58,18 @@ def test_signals_for_mne_have_no_gaps_and_the_measured_samples(recording: Path) 
     assert (channels[22, known] == read.points[known, 7, 1]).all()
 
 
-def test_the_plots_are_measured_in_a_process(recording: Path) -> None:
-    ours = measure("plots", recording)
-    assert min(ours["scrub"], ours["pan"], ours["zoom"]) > 0
-    plain = measure("plain", recording, ours["width"], ours["height"])
-    assert min(plain["pan"], plain["zoom"]) > 0
-
-
-def test_opening_is_measured_beside_reading(recording: Path) -> None:
-    assert measure("opening", recording)["seconds"] > 0
-    assert measure("reading", recording)["seconds"] > 0
+# Each figure is measured in a process of its own.
+@pytest.mark.parametrize("part", list(command.PARTS))
+def test_every_part_measures_its_rows(part: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["gui", *QUICK, "--only", part, "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert (document["schema"], document["command"]) == (1, "bench gui")
+    assert document["rows"]
+    noted = [row for row in document["rows"] if row["note"]]
+    assert all(row["figure"] > 0 for row in document["rows"] if row not in noted)
+    if not noted:
+        assert any(row["ratio"] is not None and row["target"] for row in document["rows"])
+    assert not noted or part in ("mne", "memory"), "the others need nothing that may be missing"
 
 
 def test_a_measurement_that_fails_says_why(tmp_path: Path) -> None:
@@ -78,18 +84,27 @@ def test_without_mne_the_row_says_how_to_install_it(
         return {"missing": mne_browser.HOW_TO_INSTALL}
 
     monkeypatch.setattr(command, "measure", without)
-    trial = command.Trial(recording, 1, sys.executable)
+    trial = command.Trial(recording, 100, 1, sys.executable)
     (row,) = command.PARTS["mne"](trial)
     assert row.figure is None
     assert "pip install" in row.note
 
 
-@pytest.mark.timeout(600)
-def test_the_command_measures_one_part_alone() -> None:
-    arguments = ["bench", "gui", "--runs", "1", "--frames", "2000", "--only", "memory"]
-    done = subprocess.run(
-        [sys.executable, "-m", "mocapmend", *arguments], check=True, capture_output=True, text=True
-    )
-    assert "2000 frames x 100 markers, 200 gaps" in done.stdout
-    assert "memory" in done.stdout
-    assert "scrub:" not in done.stdout
+@pytest.mark.parametrize(
+    ("options", "measured"), [([], ["plots", "memory"]), (["--only", "memory"], ["memory"])]
+)
+def test_the_command_measures_all_parts_or_those_that_are_named(
+    options: list[str],
+    measured: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    for name in list(command.PARTS):
+        monkeypatch.delitem(command.PARTS, name)
+    for name in ("plots", "memory"):
+        rows = [Row(f"the {name}", 1.0, "ms")]
+        monkeypatch.setitem(command.PARTS, name, lambda trial, rows=rows: rows)
+    assert main(["gui", *QUICK, *options]) == 0
+    text = capsys.readouterr().out
+    assert "2000 frames x 100 markers, 200 gaps" in text
+    assert [name for name in ("plots", "memory") if f"the {name}" in text] == measured

@@ -60,15 +60,15 @@ def scrubbing(workspace: Workspace) -> Iterator[None]:
     timer.stop()
 
 
-def pauses(path: Path) -> dict[str, float]:
-    """Return the longest pauses (ms), by what goes on."""
+def pauses(path: Path, most: float) -> dict[str, float]:
+    """Return the longest pauses (ms), by what goes on; of the sprint no more gaps are filled."""
     found = {}
     with window() as shown, tempfile.TemporaryDirectory(prefix="mocapmend-bench-") as folder:
         heart = Heart()
         workspace = opened(shown, path)
         found["opening"] = heart.stop()
         show_plots(workspace)
-        found["filling"] = _fill_all(shown, workspace, "cubic")
+        found["filling"] = _fill_all(shown, workspace, "cubic", int(most))
         found["undoing"] = _undo_and_redo(shown, workspace)
         heart = Heart()
         with scrubbing(workspace):
@@ -89,14 +89,14 @@ def pauses(path: Path) -> dict[str, float]:
         shown.drop(workspace)
         sprint = opened(shown, sample_recordings()[0][0])
         show_plots(sprint)
-        found["auto"] = _fill_all(shown, sprint, "auto")
+        found["auto"] = _fill_all(shown, sprint, "auto", int(most))
     return found
 
 
-def _fill_all(shown: MainWindow, workspace: Workspace, method: str) -> float:
+def _fill_all(shown: MainWindow, workspace: Workspace, method: str, most: int) -> float:
     """Fill what a method can fill within the usual limits, in one step."""
     document, params = workspace.document, registry.method(method).params()
-    gaps = [gap for gap in document.gaps if gap.length < document.original.frames]
+    gaps = [gap for gap in document.gaps if gap.length < document.original.frames][:most]
     heart = Heart()
     with scrubbing(workspace):
         job = shown.jobs.compute(

@@ -11,11 +11,11 @@ from PySide6.QtCore import QEventLoop, QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from mocapmend.errors import MocapmendError
-from mocapmend.jobs import WORKERS
 from mocapmend.settings import RANKING, Settings
 from mocapmend.views.application import make_application
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
+from mocapmend.workers import WORKERS
 from mocapmend_algorithms import Progress
 
 T = TypeVar("T")
@@ -115,12 +115,21 @@ def wait_until(done: Callable[[], bool]) -> None:
     """
     limit = time.perf_counter() + PATIENCE_S
     loop = QEventLoop()
-    look = QTimer()
-    look.setInterval(LOOK_MS)
-    look.timeout.connect(lambda: loop.quit() if done() or time.perf_counter() > limit else None)
-    look.start()
+    timer = QTimer()
+    timer.setInterval(LOOK_MS)
+    seen = False
+
+    def look() -> None:
+        # Once is enough: what comes before the loop has ended may change it again.
+        nonlocal seen
+        seen = seen or done()
+        if seen or time.perf_counter() > limit:
+            loop.quit()
+
+    timer.timeout.connect(look)
+    timer.start()
     loop.exec()
-    if not done():
+    if not seen:
         raise MocapmendError("The window does not come to rest.", "bench gui", "Retry.")
 
 
