@@ -84,7 +84,7 @@ def test_without_mne_the_row_says_how_to_install_it(
         return {"missing": mne_browser.HOW_TO_INSTALL}
 
     monkeypatch.setattr(command, "measure", without)
-    trial = command.Trial(recording, 100, 1, sys.executable)
+    trial = command.Trial(recording, 1, sys.executable)
     (row,) = command.PARTS["mne"](trial)
     assert row.figure is None
     assert "pip install" in row.note

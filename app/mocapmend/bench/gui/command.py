@@ -37,10 +37,9 @@ MEMORY = {
 
 @dataclass(frozen=True)
 class Trial:
-    """What is measured: the file with how many gaps, how often, and the Python that has MNE."""
+    """What is measured: the file, how often, and the Python that has MNE."""
 
     path: Path
-    gaps: int
     runs: int
     mne: str
 
@@ -71,7 +70,7 @@ def run(arguments: argparse.Namespace) -> Table:
     with tempfile.TemporaryDirectory(prefix="mocapmend-bench-") as folder:
         path = Path(folder) / "large.c3d"
         write_recording(path, frames=frames, markers=MARKERS, gaps=gaps)
-        trial = Trial(path, gaps, arguments.runs, arguments.mne_python)
+        trial = Trial(path, arguments.runs, arguments.mne_python)
         for name, rows in PARTS.items():
             if not arguments.only or name in arguments.only:
                 _say(name)
@@ -151,7 +150,7 @@ def _opening(trial: Trial) -> Iterable[Row]:
 
 
 def _pauses(trial: Trial) -> Iterable[Row]:
-    found = [measure("pauses", trial.path, trial.gaps) for _ in range(trial.runs)]
+    found = [measure("pauses", trial.path) for _ in range(trial.runs)]
     return limited(PAUSES, found, "ms", "100 ms", PAUSE_LIMIT_MS, "<= 1")
 
 

@@ -13,11 +13,10 @@ from PySide6.QtGui import QUndoStack
 from mocapmend import engine
 from mocapmend.bench.gui.stage import at_rest, opened, settle, show_plots, wait_until, window
 from mocapmend.bench.gui.steps import scrub_places
-from mocapmend.document import Edit
+from mocapmend.prospects import Way
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.samples import sample_recordings
 from mocapmend.views.workspace import Workspace
-from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.limits import Limits
 
 BEAT_MS = 5
@@ -60,15 +59,15 @@ def scrubbing(workspace: Workspace) -> Iterator[None]:
     timer.stop()
 
 
-def pauses(path: Path, most: float) -> dict[str, float]:
-    """Return the longest pauses (ms), by what goes on; of the sprint no more gaps are filled."""
+def pauses(path: Path) -> dict[str, float]:
+    """Return the longest pauses (ms), by what goes on."""
     found = {}
     with window() as shown, tempfile.TemporaryDirectory(prefix="mocapmend-bench-") as folder:
         heart = Heart()
         workspace = opened(shown, path)
         found["opening"] = heart.stop()
         show_plots(workspace)
-        found["filling"] = _fill_all(shown, workspace, "cubic", int(most))
+        found["filling"] = _fill_all(shown, workspace, "cubic")
         found["undoing"] = _undo_and_redo(shown, workspace)
         heart = Heart()
         with scrubbing(workspace):
@@ -89,23 +88,16 @@ def pauses(path: Path, most: float) -> dict[str, float]:
         shown.drop(workspace)
         sprint = opened(shown, sample_recordings()[0][0])
         show_plots(sprint)
-        found["auto"] = _fill_all(shown, sprint, "auto", int(most))
+        found["auto"] = _fill_all(shown, sprint, "auto")
     return found
 
 
-def _fill_all(shown: MainWindow, workspace: Workspace, method: str, most: int) -> float:
-    """Fill what a method can fill within the usual limits, in one step."""
-    document, params = workspace.document, registry.method(method).params()
-    gaps = [gap for gap in document.gaps if gap.length < document.original.frames][:most]
+def _fill_all(shown: MainWindow, workspace: Workspace, method: str) -> float:
+    """Fill what a method can fill within the usual limits, in one step, as the user does."""
     heart = Heart()
     with scrubbing(workspace):
-        job = shown.jobs.compute(
-            "Fill", engine.fill, document.share_original(), gaps, method, params, Limits()
-        )
-        job.finished.connect(
-            lambda result: workspace.push(Edit.fills(result, method, params), "fill")
-        )
-        wait_until(lambda: document.revision > 0)
+        workspace.filling.fill_all(Way.default(method), Limits())
+        wait_until(lambda: workspace.document.revision > 0)
         _rest(shown, workspace)
     return heart.stop()
 
