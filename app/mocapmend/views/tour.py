@@ -171,7 +171,7 @@ class Tour(QObject):
             ),
             Step(
                 self.tr(
-                    "The yellow curve is the proposed repair with its 90 % band. "
+                    "The bold curve is the proposed repair with its 90 % band. "
                     "Nothing is changed yet. {0} shows another method."
                 ).format(self._key("next_method")),
                 self._pane("trajectories"),
