@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.journal import Abandoned
-from mocapmend.views.tables import dress
+from mocapmend.views.tables import LEFT, dress
 
 EDITS = 1
 """The column of numbers."""
@@ -86,6 +86,7 @@ class RecoveryDialog(QDialog):
                     )
                 table.setItem(row, column, item)
         header = table.horizontalHeader()
+        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         table.selectRow(0)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 from mocapmend.document import Document
 from mocapmend.theme import Theme
 from mocapmend.views.labels import elided
-from mocapmend.views.lane import Frame
+from mocapmend.views.lane import Frame, paint_on_ground
 from mocapmend.views.lane_painter import Lane, LanePainter
 from mocapmend.views.plot_canvas import PlotCanvas
 from mocapmend.views.quantities import Curve, Quantity
@@ -154,7 +154,8 @@ class Trajectories(PlotCanvas):
             title = metrics.horizontalAdvance(self._painter.title(lane)) + 15
             name = elided(self._document.names[marker], metrics, int(rect.width()) - title - 5)
             painter.setPen(QColor(lane.curves[0].colour))
-            painter.drawText(QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent()), name)
+            place = QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent())
+            paint_on_ground(painter, place, name, self._theme)
 
     def _paint_header(self, painter: QPainter) -> None:
         """Write the names and places of the selected markers, the current first."""
@@ -167,7 +168,10 @@ class Trajectories(PlotCanvas):
             name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
             more = f"+{len(curves) - done}"
             room = self.width() - margins.right - x - metrics.horizontalAdvance(value)
-            if done and room < metrics.horizontalAdvance(name + more) + APART:
+            if not done and len(curves) > 1:
+                # How many are not named must be read even where the first takes all the room.
+                room -= metrics.horizontalAdvance(more) + APART
+            elif done and room < metrics.horizontalAdvance(name + more) + APART:
                 painter.setPen(QColor(self._theme.dim))
                 painter.drawText(QPointF(x, baseline), more)
                 return
@@ -193,7 +197,8 @@ class Trajectories(PlotCanvas):
             text = self._value(lane.quantity, lane.curves[-1], self._view.frame)
             right = frame.rect.right() - 5 - metrics.horizontalAdvance(text)
             painter.setPen(QColor(lane.curves[-1].colour))
-            painter.drawText(QPointF(right, frame.rect.top() + 2 + metrics.ascent()), text)
+            place = QPointF(right, frame.rect.top() + 2 + metrics.ascent())
+            paint_on_ground(painter, place, text, self._theme)
 
     def _value(self, quantity: Quantity, curve: Curve, frame: int) -> str:
         value = self._painter.series.rows(quantity, curve)[frame]
