@@ -20,6 +20,8 @@ POSITION = (Quantity.X, Quantity.Y, Quantity.Z)
 DECIMALS = {"m": 4, "cm": 2}
 """Of a coordinate, by unit; 1 of others."""
 MORE_DECIMALS = {Quantity.SPEED: -1, Quantity.ACCELERATION: -1, Quantity.RESIDUAL: 1}
+LEAST_NAME = "MMMM"
+"""What must be left of the first name."""
 APART = 18
 """Pixels between the values of two markers."""
 
@@ -168,13 +170,15 @@ class Trajectories(PlotCanvas):
             name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
             more = f"+{len(curves) - done}"
             room = self.width() - margins.right - x - metrics.horizontalAdvance(value)
-            if not done and len(curves) > 1:
-                # How many are not named must be read even where the first takes all the room.
-                room -= metrics.horizontalAdvance(more) + APART
-            elif done and room < metrics.horizontalAdvance(name + more) + APART:
+            rest = room - metrics.horizontalAdvance(more) - APART
+            if done and rest < metrics.horizontalAdvance(name):
                 painter.setPen(QColor(self._theme.dim))
-                painter.drawText(QPointF(x, baseline), more)
+                if x + metrics.horizontalAdvance(more) <= self.width():
+                    painter.drawText(QPointF(x, baseline), more)
                 return
+            if len(curves) > 1 and rest > metrics.horizontalAdvance(LEAST_NAME):
+                # How many are not named is read, too, where the first takes nearly all the room.
+                room = rest
             text = elided(name, metrics, int(room)) + value
             painter.setPen(QColor(curve.colour))
             painter.drawText(QPointF(x, baseline), text)
