@@ -181,7 +181,7 @@ class QueuePane(QWidget):
         header.setStretchLastSection(True)
         widest = {
             Column.STATUS: "⊘",
-            Column.MARKER: "MMMMMMMMM",
+            Column.MARKER: "MMMMMMMM",
             Column.FRAMES: "0000",
             Column.ERROR: "000.0",
             Column.HARM: "00000",
@@ -193,7 +193,7 @@ class QueuePane(QWidget):
         for column, text in widest.items():
             title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
             # The mark of the sorted column must not lie on its title.
-            mark = advance("00") if column == Column.HARM else 0
+            mark = advance("000") if column == Column.HARM else 0
             header.resizeSection(column, max(advance(text), advance(title) + mark) + 14)
         table.clicked.connect(self._go_to)
         table.selectionModel().selectionChanged.connect(self._lead)

@@ -116,6 +116,9 @@ class Tour(QObject):
             if last
             else self.tr("Next"),
         )
+        target, workspace = step.target(), self._window.workspace
+        if target is not None and workspace is not None:
+            workspace.raise_pane(target)
         # Later: what was just opened or raised has its place then.
         QTimer.singleShot(0, self, self._place)
 
