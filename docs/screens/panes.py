@@ -138,7 +138,7 @@ def working(stage: Stage) -> None:
     workspace.repair.limits.set_limits(None, 1000.0)
     stage.show_pane(workspace.timeline)
     workspace.fill_all()
-    wait_until(lambda: workspace.filling.job is not None and workspace.filling.job.progress > 0.0)
+    wait_until(lambda: workspace.filling.job is not None and workspace.filling.job.progress > 0.05)
     stage.shoot("working", wait=False)
     workspace.filling.stop()
     stage.wait()
