@@ -2642,11 +2642,11 @@
     </message>
     <message>
         <source>frame {0} ({1} ms)</source>
-        <translation>第 {0} 帧 ({1} ms)</translation>
+        <translation>帧 {0} ({1} ms)</translation>
     </message>
     <message>
         <source>frames {0} – {1}: {2} ({3} ms)</source>
-        <translation>第 {0} – {1} 帧，共 {2} 帧 ({3} ms)</translation>
+        <translation>帧 {0} – {1}：{2} 帧 ({3} ms)</translation>
     </message>
     <message>
         <source>{0} + {1} measured frames at its ends cut off</source>
