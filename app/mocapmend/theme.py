@@ -105,6 +105,7 @@ THEMES: dict[str, Theme] = {theme.name: theme for theme in (DARK, LIGHT)}
 
 FIELDS: tuple[Any, ...] = (
     "QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QListWidget",
+    "QMenu",
 )  # fmt: skip
 """Classes of widgets that need an edge of their own to be seen; Qt takes str, and says bytes."""
 FUSION_DARKENS = 140

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListWidget,
     QListWidgetItem,
+    QMenu,
     QSpinBox,
     QWidget,
 )
@@ -76,7 +77,7 @@ def test_what_is_drawn_is_seen_on_its_ground(theme: Theme) -> None:
 
 
 @BOTH
-@pytest.mark.parametrize("kind", [QCheckBox, QLineEdit, QSpinBox, QListWidget])
+@pytest.mark.parametrize("kind", [QCheckBox, QLineEdit, QSpinBox, QListWidget, QMenu])
 def test_fields_have_an_edge_that_is_seen(
     qtbot: QtBot, qapp: QApplication, theme: Theme, kind: type[QWidget]
 ) -> None:
@@ -86,6 +87,8 @@ def test_fields_have_an_edge_that_is_seen(
     if isinstance(field, QListWidget):
         item = QListWidgetItem(field)
         item.setCheckState(Qt.CheckState.Unchecked)
+    if isinstance(field, QMenu):
+        field.addAction("M").setCheckable(True)
     ground, image = theme.window, field.grab().toImage()
     seen = {image.pixelColor(x, y).name() for x in range(13) for y in range(image.height())}
     assert max(contrast(colour, ground) for colour in seen) >= GRAPHICS
