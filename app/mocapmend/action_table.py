@@ -349,7 +349,6 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Follow the body"),
         ("F",),
         checkable=True,
-        starts_group=True,
         submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
     ),
     ActionSpec(

@@ -5,7 +5,7 @@ darker where the ground is light; the curves of markers keep clear of them.
 """
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import pyqtgraph
 from PySide6.QtGui import QColor, QPalette
@@ -27,6 +27,7 @@ class Theme:
     text: str
     dim: str
     line: str
+    edge: str
     accent: str
     on_accent: str
     playhead: str
@@ -52,6 +53,7 @@ DARK = Theme(
     text="#e4e7eb",
     dim="#98a0ab",
     line="#3a3f48",
+    edge="#717a88",
     accent="#3d8bfd",
     on_accent="#0b0f16",
     playhead="#ffffff",
@@ -79,6 +81,7 @@ LIGHT = Theme(
     text="#1c2026",
     dim="#5e6774",
     line="#d3d7dd",
+    edge="#737b87",
     accent="#0b63d6",
     on_accent="#ffffff",
     playhead="#14171b",
@@ -99,6 +102,13 @@ LIGHT = Theme(
 )
 
 THEMES: dict[str, Theme] = {theme.name: theme for theme in (DARK, LIGHT)}
+
+FIELDS: tuple[Any, ...] = (
+    "QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QListWidget",
+    "QMenu",
+)  # fmt: skip
+"""Classes of widgets that need an edge of their own to be seen; Qt takes str, and says bytes."""
+FUSION_DARKENS = 140
 
 AXIS_COLOURS = ("#e0524d", "#2f9a4c", "#4b8bf0")
 
@@ -136,8 +146,18 @@ def palette(theme: Theme) -> QPalette:
     return result
 
 
+def field_palette(theme: Theme) -> QPalette:
+    """Make the palette of what is typed into or ticked: Fusion's own edges are hardly seen."""
+    result = palette(theme)
+    # Fusion takes the edges from the window's colour and darkens it; these widgets paint no window.
+    result.setColor(QPalette.ColorRole.Window, QColor(theme.edge).lighter(FUSION_DARKENS))
+    return result
+
+
 def apply(app: QApplication, theme: Theme) -> None:
     """Give the whole program a theme."""
     app.setStyle("Fusion")
     app.setPalette(palette(theme))
+    for name in FIELDS:
+        app.setPalette(field_palette(theme), name)
     pyqtgraph.setConfigOptions(background=theme.base, foreground=theme.dim, antialias=False)

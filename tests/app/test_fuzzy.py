@@ -18,6 +18,8 @@ TEXTS = ["Next gap", "Previous gap", "Export repaired recording…", "Zoom in on
         ("zoom time", TEXTS[3:]),
         ("ng", [TEXTS[0], TEXTS[2]]),
         ("prvs", TEXTS[1:2]),
+        ("time+axis", TEXTS[3:]),
+        ("gap+", TEXTS[:2]),
         ("xyz", []),
         ("gap xyz", []),
     ],

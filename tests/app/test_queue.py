@@ -12,7 +12,7 @@ from mocapmend.ranking import Status
 from mocapmend.settings import RANKING, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
-from mocapmend.views.queue_model import GLYPHS, Column
+from mocapmend.views.queue_model import GLYPHS, Column, short_number
 from mocapmend.views.workspace import Workspace
 
 Open = Callable[[Path], MainWindow]
@@ -207,6 +207,21 @@ def test_a_gap_with_other_ends_is_ranked_anew(ranked: MainWindow, qtbot: QtBot) 
     wide = workspace.view.gap
     assert wide is not None
     qtbot.waitUntil(lambda: workspace.prospects.best(wide) is not None, timeout=60_000)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"),
+        (99_999.4, "99999"),
+        (99_999.6, "100k"),
+        (1_731_488.0, "1731k"),
+        (9_999_999.6, "10M"),
+        (31_000_000.0, "31M"),
+    ],
+)
+def test_harm_is_short_enough_to_be_compared(value: float, text: str) -> None:
+    assert short_number(value) == text
 
 
 def test_a_complete_recording_says_so(open_in: Open, samples: Path) -> None:

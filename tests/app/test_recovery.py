@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from crash_window import edit_of, gaps_to_fill
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QMessageBox, QTableWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
@@ -256,7 +256,10 @@ def test_all_edits_are_recovered_each_in_a_tab(
     leave_edits(sprint, 2)
     leave_edits(gait, 1)
     start(window)
-    offered(window, qtbot).recover_all_button.click()
+    dialog = offered(window, qtbot)
+    qtbot.waitUntil(dialog.recover_button.isDefault)
+    assert isinstance(dialog.focusWidget(), QTableWidget), "no button takes Enter unasked"
+    dialog.recover_all_button.click()
     qtbot.waitUntil(lambda: window.documents.count() == 2, timeout=20_000)
     edits = {
         each.document.source.path: each.document.undo_stack.index() for each in window.documents

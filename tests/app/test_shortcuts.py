@@ -53,6 +53,8 @@ def test_it_is_searched_by_name_and_by_key(dialog: ShortcutsDialog) -> None:
     assert [text for text, _ in rows(dialog)] == ["Trail of the selection"]
     dialog.field.setText("]")
     assert [text for text, _ in rows(dialog)] == ["Faster"]
+    dialog.field.setText("ctrl+shift+z")
+    assert [text for text, _ in rows(dialog)] == ["Redo"]
     dialog.field.setText("xyzzy")
     assert rows(dialog) == []
     assert not dialog.edit.isEnabled()
@@ -134,6 +136,7 @@ def test_all_are_reset(window: MainWindow, dialog: ShortcutsDialog) -> None:
     assert window.settings.get(SHORTCUTS) == {}
 
 
+@pytest.mark.usefixtures("qapp")
 def test_nonsense_in_the_settings_is_left_alone(settings: Settings) -> None:
     settings.set(SHORTCUTS, {"labels": 5, "gone_action": ["X"], "trails": ["Ctrl+T"], "play": [1]})
     window = MainWindow(settings)

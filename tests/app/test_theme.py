@@ -3,10 +3,22 @@
 from itertools import combinations
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QMenu,
+    QSpinBox,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
 
 from mocapmend.state import SampleState
-from mocapmend.theme import AXIS_COLOURS, DARK, LIGHT, Theme
+from mocapmend.theme import AXIS_COLOURS, DARK, LIGHT, Theme, apply
 
 BOTH = pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 READABLE, ENHANCED, GRAPHICS = 4.5, 7.0, 3.0
@@ -62,6 +74,24 @@ def test_what_is_drawn_is_seen_on_its_ground(theme: Theme) -> None:
     }
     weak = {name: contrast(colour, theme.base) for name, colour in drawn.items()}
     assert {name: value for name, value in weak.items() if value < GRAPHICS} == {}
+
+
+@BOTH
+@pytest.mark.parametrize("kind", [QCheckBox, QLineEdit, QSpinBox, QListWidget, QMenu])
+def test_fields_have_an_edge_that_is_seen(
+    qtbot: QtBot, qapp: QApplication, theme: Theme, kind: type[QWidget]
+) -> None:
+    apply(qapp, theme)
+    field = kind()
+    qtbot.addWidget(field)
+    if isinstance(field, QListWidget):
+        item = QListWidgetItem(field)
+        item.setCheckState(Qt.CheckState.Unchecked)
+    if isinstance(field, QMenu):
+        field.addAction("M").setCheckable(True)
+    ground, image = theme.window, field.grab().toImage()
+    seen = {image.pixelColor(x, y).name() for x in range(13) for y in range(image.height())}
+    assert max(contrast(colour, ground) for colour in seen) >= GRAPHICS
 
 
 @BOTH

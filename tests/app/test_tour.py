@@ -11,6 +11,7 @@ from mocapmend.settings import TOUR_SHOWN, Settings
 from mocapmend.views import application
 from mocapmend.views.callout import Callout, placed
 from mocapmend.views.main_window import MainWindow
+from mocapmend.views.tables import in_sight
 from mocapmend.views.tour import Tour
 
 
@@ -117,3 +118,20 @@ def test_without_room_beside_it_stands_inside() -> None:
     place, tip = placed(ROOM, 300, 150, ROOM)
     assert ROOM.contains(QRect(place.x(), place.y(), 300, 150))
     assert ROOM.contains(tip)
+
+
+def test_it_points_at_nothing_that_is_behind_another_pane(
+    open_in: Callable[[Path], MainWindow], gait: Path, qtbot: QtBot
+) -> None:
+    window = open_in(gait)
+    workspace = window.workspace
+    assert workspace is not None
+    workspace.show_pane(workspace.report)
+    qtbot.waitUntil(lambda: in_sight(workspace.report) and not in_sight(workspace.timeline))
+    window.start_tour()
+    callout = tour_of(window).callout
+    qtbot.waitUntil(callout.isVisible)
+    assert in_sight(workspace.timeline)
+    assert window.rect().contains(callout.geometry())
+    tour_of(window).end()
+    assert is_over(window, qtbot)

@@ -125,3 +125,19 @@ def test_keys_move_the_ends_of_the_current_gap(
     workspace.message.connect(told.append)
     qtbot.keyClick(window, Qt.Key.Key_W, Qt.KeyboardModifier.ShiftModifier)
     assert told == ["The ends of this gap go no further."]
+
+
+def test_undoing_moved_ends_stays_at_the_gap(
+    open_in: Callable[[Path], MainWindow], holed_walk: Path, qtbot: QtBot
+) -> None:
+    window = open_in(holed_walk)
+    workspace = window.workspace
+    assert workspace is not None
+    workspace.view.go_to(GAP)
+    qtbot.keyClick(window, Qt.Key.Key_W)
+    assert workspace.view.gap not in (None, GAP)
+    workspace.document.undo_stack.undo()
+    assert workspace.view.gap == GAP
+    qtbot.waitUntil(lambda: workspace.view.preview is not None, timeout=20_000)
+    workspace.document.undo_stack.redo()
+    assert workspace.view.gap not in (None, GAP)

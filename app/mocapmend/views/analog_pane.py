@@ -111,6 +111,7 @@ class AnalogPane(QWidget):
         made = QListWidget()
         made.setAccessibleName(self.tr("Analog channels"))
         made.setUniformItemSizes(True)
+        made.setSpacing(2)
         made.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         labels, units = self._source.analog_labels, self._source.analog_units
         for channel, (label, unit) in enumerate(zip(labels, units, strict=True)):

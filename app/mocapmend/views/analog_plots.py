@@ -9,7 +9,14 @@ from mocapmend.files import C3DFile
 from mocapmend.theme import Theme
 from mocapmend.views.columns import Envelope
 from mocapmend.views.labels import elided
-from mocapmend.views.lane import Frame, paint_grid, paint_line, paint_message, value_range
+from mocapmend.views.lane import (
+    Frame,
+    paint_grid,
+    paint_line,
+    paint_message,
+    paint_on_ground,
+    value_range,
+)
 from mocapmend.views.plot_canvas import PlotCanvas
 from mocapmend.views.readout import Readout, Row
 from mocapmend.viewstate import ViewState
@@ -89,7 +96,8 @@ class AnalogPlots(PlotCanvas):
             metrics = painter.fontMetrics()
             painter.setPen(QColor(self._colour(channels[0])))
             name = elided(self._name(channels[0]), metrics, int(rect.width()) - 10)
-            painter.drawText(QPointF(rect.left() + 5, rect.top() + 2 + metrics.ascent()), name)
+            place = QPointF(rect.left() + 5, rect.top() + 2 + metrics.ascent())
+            paint_on_ground(painter, place, name, self._theme)
         return frame
 
     def _message(self, channels: tuple[int, ...]) -> str:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen, QPo
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from mocapmend.theme import Theme
+from mocapmend.views.tables import in_sight
 
 ARROW = 12
 WIDTH = 340
@@ -61,7 +62,7 @@ class Callout(QWidget):
         scale = self.fontMetrics().height() / 14.0
         self.setFixedWidth(min(round(WIDTH * scale) + 2 * (ARROW + MARGIN), window.width()))
         self.setFixedHeight(self.heightForWidth(self.width()))
-        if target is None or not target.isVisible():
+        if target is None or not in_sight(target):
             self._tip = None
             self.move(window.rect().center() - self.rect().center())
         else:

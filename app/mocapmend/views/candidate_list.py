@@ -107,7 +107,7 @@ class CandidateList(QTableWidget):
     def _text(self, preview: Preview | None, least: float) -> tuple[str, str]:
         """Return what stands in the last column, and the tool tip."""
         gap = self._view.gap
-        if gap is None or gap in self._document.repairs:
+        if gap is None or gap not in self._document.gaps_of(gap.marker):
             return "", ""
         if preview is None:
             return "…", self.tr("Not computed yet")

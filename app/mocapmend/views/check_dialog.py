@@ -52,7 +52,6 @@ def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckRe
 def _arrange(table: QTableWidget) -> None:
     """Give the markers the room, and align the numbers."""
     header = table.horizontalHeader()
-    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     widths = {}
     for column in NUMBERS:
         widths[column] = 16 + max(header.sectionSizeHint(column), table.sizeHintForColumn(column))

@@ -9,8 +9,10 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
+    QGridLayout,
     QHeaderView,
     QMessageBox,
+    QSpacerItem,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -21,11 +23,13 @@ from mocapmend import __version__
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
 from mocapmend.views.engine_texts import shown
-from mocapmend.views.tables import dress
+from mocapmend.views.tables import LEFT, dress, frames_text
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Unfilled
 
 translate = QCoreApplication.translate
+MESSAGE_CHARACTERS = 70
+"""How wide a message is at least."""
 
 
 def environment() -> str:
@@ -55,7 +59,16 @@ def error_box(parent: QWidget | None, error: Exception) -> QMessageBox:
             translate("Dialogs", "The log file has the details:") + f"\n{log_path()}"
         )
         box.setDetailedText(f"{type(error).__name__}: {error}\n\n{environment()}")
+    widen(box)
     return box
+
+
+def widen(box: QMessageBox) -> None:
+    """Give a message room for a path in one line: else its first, short sentence is the measure."""
+    layout = box.layout()
+    assert isinstance(layout, QGridLayout)
+    least = box.fontMetrics().averageCharWidth() * MESSAGE_CHARACTERS
+    layout.addItem(QSpacerItem(least, 0), layout.rowCount(), 0, 1, layout.columnCount())
 
 
 def left_open_dialog(
@@ -72,7 +85,7 @@ def left_open_dialog(
     rows = [
         (
             recording.labels[entry.gap.marker],
-            f"{entry.gap.start + first} – {entry.gap.stop - 1 + first}",
+            frames_text(entry.gap, first),
             shown(entry.reason),
         )
         for entry in unfilled
@@ -103,6 +116,7 @@ def table_dialog(
     table.setHorizontalHeaderLabels(list(headers))
     table.setAccessibleName(title)
     dress(table)
+    table.horizontalHeader().setDefaultAlignment(LEFT)
     for row, texts in enumerate(rows):
         for column, text in enumerate(texts):
             table.setItem(row, column, QTableWidgetItem(text))

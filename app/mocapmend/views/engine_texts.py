@@ -10,7 +10,7 @@ from functools import cache, lru_cache
 from PySide6.QtCore import QCoreApplication
 
 from mocapmend.errors import MocapmendError
-from mocapmend.views.catalogue.checks import CHECKS
+from mocapmend.views.catalogue.checks import CHECKS, SEPARATOR
 from mocapmend.views.catalogue.errors import ERRORS
 from mocapmend.views.catalogue.reasons import REASONS
 from mocapmend.views.catalogue.warnings import WARNINGS
@@ -18,6 +18,8 @@ from mocapmend_algorithms.fill.registry import method_label
 
 SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS)
 _PLACE = re.compile(r"\{\d\}")
+_METHOD_LAST = {"fill {0} gaps ({1})", "fill {0} ({1})"}
+"""Sentences whose last part is a method's id; a marker may be called like one."""
 
 
 def method_text(text: str) -> str:
@@ -28,6 +30,11 @@ def method_text(text: str) -> str:
 def method_name(method_id: str) -> str:
     """Return a method's label in the user's language; the id of one that is not known."""
     return method_text(method_label(method_id))
+
+
+def segment_name(name: str) -> str:
+    """Return a segment's name in the user's language; one of the user's own templates as it is."""
+    return QCoreApplication.translate("Segments", name) if name else ""
 
 
 def shown(text: str) -> str:
@@ -48,6 +55,8 @@ def shown(text: str) -> str:
         return text
     template, parts = found
     translated = QCoreApplication.translate("Sentences", template)
+    if template in _METHOD_LAST:
+        return translated.format(*parts[:-1], method_name(parts[-1]))
     return translated.format(*map(_shown_part, parts)) if parts else translated
 
 
@@ -69,8 +78,10 @@ def find(text: str) -> tuple[str, tuple[str, ...]] | None:
 
 def _shown_part(part: str) -> str:
     """Translate a part that is a sentence itself, or a list of such."""
-    if find(part) is None and ", " in part:
-        return ", ".join(map(shown, part.split(", ")))
+    pieces = part.split(", ")
+    translated = [shown(piece) for piece in pieces]
+    if find(part) is None and translated != pieces:
+        return QCoreApplication.translate("Sentences", SEPARATOR).join(translated)
     return shown(part)
 
 

@@ -13,6 +13,7 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, LONG_CSV, same_file
 from mocapmend.jobs import Job
 from mocapmend.settings import LAST_FOLDER
+from mocapmend.views.dialogs import widen
 from mocapmend.views.naming import kind_of, meant, repaired_name
 from mocapmend.views.opening import Opening
 from mocapmend.views.recovery import Recovery
@@ -339,5 +340,6 @@ class FileActions(QObject):
         box.setInformativeText(detail)
         go = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.AcceptRole)
         box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        widen(box)
         box.exec()
         return box.clickedButton() is go

@@ -4,6 +4,8 @@ import re
 from collections.abc import Sequence
 
 _WORDS = re.compile(r"\w+")
+_BETWEEN = re.compile(r"[\s+]+")
+"""Between typed words: keys are typed as they are written, Ctrl+S."""
 WORD_START, INSIDE, SCATTERED = 3, 2, 1
 """How well a typed word fits: a word begins with it, holds it, or has its letters in order."""
 
@@ -15,7 +17,7 @@ def score(typed: str, text: str) -> int:
     """
     total = 0
     words = _WORDS.findall(text.casefold())
-    for part in typed.casefold().split():
+    for part in filter(None, _BETWEEN.split(typed.casefold())):
         best = max((_fit(part, word) for word in words), default=0)
         if not best and _initials(part, words):
             best = INSIDE

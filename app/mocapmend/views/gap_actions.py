@@ -46,6 +46,14 @@ class GapActions(QObject):
         self._view = view
         self._queue = queue
         self._push = push
+        document.samples_changed.connect(self._keep_up)
+
+    def _keep_up(self) -> None:
+        """Stay at the current gap when an edit, done or undone, has given it other ends."""
+        gap = self._view.gap
+        if gap is not None:
+            middle = (gap.start + gap.stop - 1) // 2
+            self._view.set_gap(self._document.gap_near(gap.marker, middle))
 
     def step(self, step: int) -> None:
         """Go to the next (1) or previous (-1) gap of the queue."""

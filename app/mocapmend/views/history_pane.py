@@ -19,6 +19,7 @@ class HistoryPane(QUndoView):
         self.setToolTip(self.tr("Click a step, or use the arrow keys, to go back or forward to it"))
         self.setEmptyLabel(self.tr("As opened"))
         self.setItemDelegate(StepDelegate(self))
+        self.setSpacing(2)
         stack.cleanChanged.connect(self.viewport().update)
         stack.indexChanged.connect(self.viewport().update)
 

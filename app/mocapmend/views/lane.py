@@ -14,6 +14,8 @@ from mocapmend.theme import Theme
 
 LEAST_SPAN = 1e-5
 """Of values about 1, in the recording's unit; greater values have more."""
+GROUND = 190
+"""Opacity of the ground behind texts that lie over curves, of 255."""
 WIDEST_MARK = "−88888.8"
 
 
@@ -168,6 +170,16 @@ def paint_message(painter: QPainter, rect: QRectF, text: str, theme: Theme) -> N
     painter.setPen(QColor(theme.dim))
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
     painter.drawText(rect.adjusted(8, 0, -8, 0), flags, text)
+
+
+def paint_on_ground(painter: QPainter, place: QPointF, text: str, theme: Theme) -> None:
+    """Write text at a baseline with the present pen, readable over the curves behind it."""
+    metrics, ground = painter.fontMetrics(), QColor(theme.base)
+    ground.setAlpha(GROUND)
+    box = QRectF(place.x(), place.y() - metrics.ascent(), metrics.horizontalAdvance(text), 0)
+    box.setHeight(metrics.height())
+    painter.fillRect(box.adjusted(-2, 0, 2, 0), ground)
+    painter.drawText(place, text)
 
 
 def paint_span(

@@ -38,7 +38,8 @@ class LaneLayout:
     def use_font(self, metrics: QFontMetrics, titles: Sequence[str]) -> None:
         """Take all sizes from a font; titles are what else stands left of the axis."""
         self.text = metrics.height()
-        widest = max(map(metrics.horizontalAdvance, self._names), default=0)
+        # One more: at fractional scales a text is wider than the pixels that it is said to be.
+        widest = max(map(metrics.horizontalAdvance, self._names), default=0) + 1
         titles_room = max(map(metrics.horizontalAdvance, titles))
         room = max(titles_room, min(widest, MOST_NAME * metrics.averageCharWidth()))
         self.names = [elided(name, metrics, room) for name in self._names]

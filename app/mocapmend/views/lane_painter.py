@@ -13,7 +13,15 @@ from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import AXIS_COLOURS, Theme
 from mocapmend.views.columns import Floats, column_edges, columns_with
-from mocapmend.views.lane import Frame, mixed, paint_grid, paint_line, paint_message, value_range
+from mocapmend.views.lane import (
+    Frame,
+    mixed,
+    paint_grid,
+    paint_line,
+    paint_message,
+    paint_on_ground,
+    value_range,
+)
 from mocapmend.views.quantities import Curve, Quantity, Series
 from mocapmend.viewstate import Preview
 
@@ -158,7 +166,8 @@ class LanePainter:
         is_place = lane.quantity.kind == "position"
         painter.setPen(QColor(AXIS_COLOURS[lane.quantity.row] if is_place else self.theme.dim))
         baseline = rect.top() + 2 + painter.fontMetrics().ascent()
-        painter.drawText(QPointF(rect.left() + 5, baseline), self.title(lane))
+        place = QPointF(rect.left() + 5, baseline)
+        paint_on_ground(painter, place, self.title(lane), self.theme)
 
     def _paint_background(self, painter: QPainter, frame: Frame, lane: Lane) -> None:
         """Fill a lane, shaded where the marker worked on is missing or filled."""

@@ -35,6 +35,7 @@ from mocapmend.views.appearance import Appearance
 from mocapmend.views.dialogs import environment, error_box
 from mocapmend.views.documents import Documents
 from mocapmend.views.engine_texts import shown
+from mocapmend.views.frame_icons import draw_extension
 from mocapmend.views.icons import program_icon
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend.views.keys import KeyGuard
@@ -287,6 +288,7 @@ class MainWindow(QMainWindow):
 
     def _show_theme(self) -> None:
         draw_icons(self.actions_by_id, self.theme)
+        draw_extension(self.toolbar, self.theme)
         self.transport.set_theme(self.theme)
         self.welcome.set_theme(self.theme)
         self.with_all(lambda workspace: workspace.set_theme(self.theme))

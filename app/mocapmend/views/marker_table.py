@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
+from mocapmend.views.engine_texts import segment_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.tables import dress, narrow
 from mocapmend.viewstate import ViewState
@@ -121,7 +122,7 @@ class MarkerModel(QAbstractTableModel):
                 others = [self._document.names[m] for m in part.markers if m != marker]
                 if others:
                     text = self.tr("Moves as one with {0}").format(", ".join(others))
-                    return f"{text} ({part.name})" if part.name else text
+                    return f"{text} ({segment_name(part.name)})" if part.name else text
         return ""
 
     def _refresh(self) -> None:

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox, QToolButton, QWidget
 
+from mocapmend.views.dialogs import widen
 from mocapmend.views.engine_texts import shown
 
 
@@ -31,4 +32,5 @@ class NotesBar(QToolButton):
         box.setTextFormat(Qt.TextFormat.PlainText)
         box.setText(self.tr("What was odd in this file, and what was assumed:"))
         box.setInformativeText("\n\n".join(f"• {text}" for text in self._warnings))
+        widen(box)
         box.open()

@@ -221,7 +221,8 @@ class Overview(QWidget):
         painter.fillRect(self._strip(), QColor(self._theme.base))
         heat = self.heat()
         ink = QColor(self._theme.state_colour(SampleState.MISSING))
-        tall = np.maximum(LEAST_HEAT, np.round(heat * (self.height() - 2)))
+        # The root: where few of many markers are missing it is seen too.
+        tall = np.maximum(LEAST_HEAT, np.round(np.sqrt(heat) * (self.height() - 2)))
         for column in np.flatnonzero(heat).tolist():
             height = float(tall[column])
             painter.fillRect(QRectF(self._gutter + column, self.height() - height, 1, height), ink)

@@ -57,12 +57,18 @@ class PanedWindow(QMainWindow):
 
     def show_pane(self, content: QWidget) -> None:
         """Bring a pane to the front and give it the keyboard."""
+        if self.raise_pane(content):
+            # Later: what was behind another pane is enabled when it is seen.
+            QTimer.singleShot(0, content, content.setFocus)
+
+    def raise_pane(self, content: QWidget) -> bool:
+        """Bring a pane to the front; return whether there is one of that content."""
         for pane in self._panes:
             if pane.widget() is content:
                 pane.show()
                 pane.raise_()
-                # Later: what was behind another pane is enabled when it is seen.
-                QTimer.singleShot(0, content, content.setFocus)
+                return True
+        return False
 
     # --- layouts -----------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.views.action_button import ActionButton
-from mocapmend.views.engine_texts import shown
+from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.filling import Filling
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, Index
@@ -194,7 +194,7 @@ class PlanPane(QWidget):
         samples = sum(patch.gap.length for patch in planned.patches)
         text = self.tr(
             "By {0}: {1} gaps ({2} samples) would be filled, {3} would stay open."
-        ).format(way.method, len(planned.patches), samples, len(planned.unfilled))
+        ).format(method_name(way.method), len(planned.patches), samples, len(planned.unfilled))
         if unknown:
             text += " " + self.tr("{0} are not computed yet.").format(len(unknown))
         self.summary.setText(text)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QToolBar, QVBoxLayout, QWidget
 from mocapmend.document import Document
 from mocapmend.settings import PLOTS, SAME_SCALE, Settings
 from mocapmend.theme import Theme
+from mocapmend.views.frame_icons import draw_extension
 from mocapmend.views.quantities import Quantity
 from mocapmend.views.trajectories import Trajectories
 from mocapmend.viewstate import ViewState
@@ -51,6 +52,7 @@ class PlotPane(QWidget):
         self.trajectories = Trajectories(document, view, theme)
         self._bones = self._make_bones()
         self._bar = self._make_bar()
+        draw_extension(self._bar, theme)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -92,6 +94,11 @@ class PlotPane(QWidget):
         count = self._bones.count()
         if count:
             self._bones.setCurrentIndex((self._bones.currentIndex() + step) % count)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Paint with other colours from now on."""
+        self.trajectories.set_theme(theme)
+        draw_extension(self._bar, theme)
 
     # --- making ------------------------------------------------------------------------------
 

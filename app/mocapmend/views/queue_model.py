@@ -252,11 +252,11 @@ class QueueModel(QAbstractTableModel):
             case Column.ERROR:
                 return self._error_text(problem)
             case Column.HARM:
-                return "" if math.isnan(problem.harm) else f"{problem.harm * mm:.0f}"
+                return "" if math.isnan(problem.harm) else short_number(problem.harm * mm)
             case Column.MS:
                 return f"{self._ms(gap):.0f}"
             case Column.METHOD:
-                return "" if problem.best is None else problem.best.method
+                return "" if problem.best is None else method_name(problem.best.method)
             case Column.CONTEXT:
                 return self._context(gap)
             case Column.PLACE:
@@ -302,6 +302,14 @@ class QueueModel(QAbstractTableModel):
 
     def _ms(self, gap: Gap) -> float:
         return 1000.0 * gap.length / self._document.original.rate
+
+
+def short_number(value: float) -> str:
+    """Write a number in five characters: what is cut off cannot be compared."""
+    for size, sign in ((1e5, ""), (1e7, "k")):
+        if value < size - 0.5:
+            return f"{value / (1e3 if sign else 1.0):.0f}{sign}"
+    return f"{value / 1e6:.0f}M"
 
 
 def _alignment(column: Column) -> Qt.AlignmentFlag:

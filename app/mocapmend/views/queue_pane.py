@@ -21,8 +21,9 @@ from PySide6.QtWidgets import (
 from mocapmend.document import Document
 from mocapmend.navigation import neighbour, place
 from mocapmend.prospects import Prospects
-from mocapmend.ranking import Status
+from mocapmend.ranking import METHODS, Status
 from mocapmend.settings import RANKING, Settings
+from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.queue_model import TO_DO, Column, Filter, QueueModel
 from mocapmend.views.survey import Survey
@@ -180,18 +181,20 @@ class QueuePane(QWidget):
         header.setStretchLastSection(True)
         widest = {
             Column.STATUS: "⊘",
-            Column.MARKER: "MMMMMMMMM",
+            Column.MARKER: "MMMMMMMM",
             Column.FRAMES: "0000",
             Column.ERROR: "000.0",
             Column.HARM: "00000",
             Column.MS: "00000",
-            Column.METHOD: "bone-dictionary",
+            Column.METHOD: max(map(method_name, METHODS), key=len),
             Column.CONTEXT: self.tr("inside, {0} more missing"),
             Column.PLACE: "000000 – 000000",
         }
         for column, text in widest.items():
             title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
-            header.resizeSection(column, max(advance(text), advance(title)) + 14)
+            # The mark of the sorted column must not lie on its title.
+            mark = advance("000") if column == Column.HARM else 0
+            header.resizeSection(column, max(advance(text), advance(title) + mark) + 14)
         table.clicked.connect(self._go_to)
         table.selectionModel().selectionChanged.connect(self._lead)
         return table

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.journal import Abandoned
-from mocapmend.views.tables import dress
+from mocapmend.views.tables import LEFT, dress
 
 EDITS = 1
 """The column of numbers."""
@@ -55,7 +55,6 @@ class RecoveryDialog(QDialog):
         self.recover_all_button.setVisible(len(abandoned) > 1)
         self.discard_button = buttons.addButton(self.tr("Discard"), kinds.DestructiveRole)
         self.later_button = buttons.addButton(self.tr("Later"), kinds.RejectRole)
-        self.recover_button.setDefault(True)
         self.recover_button.clicked.connect(self._recover)
         self.recover_all_button.clicked.connect(self._recover_all)
         self.discard_button.clicked.connect(self._discard)
@@ -64,6 +63,9 @@ class RecoveryDialog(QDialog):
         layout.addWidget(text)
         layout.addWidget(self._table)
         layout.addWidget(buttons)
+        # Not before: a button is the default one of the dialog that it is in.
+        self.recover_button.setDefault(True)
+        self._table.setFocus()
         self.resize(560, 260)
 
     def _make_table(self) -> QTableWidget:
@@ -86,6 +88,7 @@ class RecoveryDialog(QDialog):
                     )
                 table.setItem(row, column, item)
         header = table.horizontalHeader()
+        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         table.selectRow(0)

@@ -282,17 +282,14 @@ class RepairPanel(QScrollArea):
             "whole": self.tr(", never seen"),
         }
         first, last = gap.start + original.first_frame, gap.stop - 1 + original.first_frame
+        ms = round(1000.0 * gap.length / original.rate)
         frames = (
-            self.tr("frame {0}\n1 frame").format(first)
+            self.tr("frame {0} ({1} ms)").format(first, ms)
             if gap.length == 1
-            else self.tr("frames {0} to {1}\n{2} frames").format(first, last, gap.length)
+            else self.tr("frames {0} – {1}: {2} ({3} ms)").format(first, last, gap.length, ms)
         )
-        text = self.tr("{0}: {1} ({2} ms){3}").format(
-            self._document.names[gap.marker],
-            frames,
-            round(1000.0 * gap.length / original.rate),
-            places[gap.kind(original.frames)],
-        )
+        # The name has its own line: else the buttons below move with its length.
+        text = f"{self._document.names[gap.marker]}\n{frames}{places[gap.kind(original.frames)]}"
         before, after = hidden(self._document, gap)
         if before or after:
             text += "\n" + self.tr("{0} + {1} measured frames at its ends cut off").format(

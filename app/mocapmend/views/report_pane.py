@@ -115,6 +115,7 @@ class ReportPane(QWidget):
         self._proof = QLabel()
         self._proof.setTextFormat(Qt.TextFormat.PlainText)
         self._proof.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._proof.setWordWrap(True)
         # A long sentence must not stretch the window.
         self._proof.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         head = QHBoxLayout()

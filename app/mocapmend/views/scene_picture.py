@@ -88,6 +88,7 @@ class ScenePicture(QWidget):
             view.selection_changed,
             view.preview_changed,
             view.candidates_changed,
+            view.picking_changed,
             document.samples_changed,
         ):
             signal.connect(self.update)
@@ -239,6 +240,8 @@ class ScenePicture(QWidget):
         paint_labels(shot, places, everyone if "labels" in layers else self._view.selection)
         paint_axes(shot)
         captions = []
+        if self._view.picking:
+            captions.append(self.tr("Picking donors: click markers; D ends it"))
         if "measure" in layers:
             captions.append(measurement(self._document, self._view.selection, self._view.frame))
         if "before_after" in layers:

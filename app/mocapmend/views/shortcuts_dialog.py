@@ -21,7 +21,7 @@ from mocapmend.action_table import ACTIONS
 from mocapmend.actions import menu_name, submenu_of, text_of
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.shortcuts import Shortcuts
-from mocapmend.views.tables import dress
+from mocapmend.views.tables import LEFT, dress
 
 SIZE = (760, 560)
 
@@ -101,6 +101,7 @@ class ShortcutsDialog(QDialog):
         dress(table)
         table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
         header = table.horizontalHeader()
+        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         table.currentCellChanged.connect(self._show_action)
@@ -162,7 +163,11 @@ class ShortcutsDialog(QDialog):
         for part in (self.edit, self.none_button):
             part.setEnabled(has)
         self.reset_button.setEnabled(has and self._shortcuts.is_changed(self.current))
-        self._name.setText(text_of(self._specs[self.table.currentRow()]) if has else "")
+        self._name.setText(
+            text_of(self._specs[self.table.currentRow()])
+            if has
+            else self.tr("Nothing fits. Fewer letters find more.")
+        )
         self._show_conflict()
 
     def _show_conflict(self) -> None:

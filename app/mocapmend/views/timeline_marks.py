@@ -94,7 +94,9 @@ class TimelineMarks:
             place = QRectF(left + 1, 0, right - left - 2, self._layout.ruler - 1)
             painter.fillRect(place, QColor(theme.raised))
             painter.setPen(QColor(theme.text))
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+            # At the left: the flag of the playhead is rather in the middle or at the right end.
+            place.adjust(6, 0, 0, 0)
+            painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
 
     def gap(self, painter: QPainter, theme: Theme, gap: Gap) -> None:
         """Frame the current gap and put arrows on its ends; point to it when it is out of view."""

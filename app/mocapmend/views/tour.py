@@ -116,6 +116,9 @@ class Tour(QObject):
             if last
             else self.tr("Next"),
         )
+        target, workspace = step.target(), self._window.workspace
+        if target is not None and workspace is not None:
+            workspace.raise_pane(target)
         # Later: what was just opened or raised has its place then.
         QTimer.singleShot(0, self, self._place)
 
@@ -171,7 +174,7 @@ class Tour(QObject):
             ),
             Step(
                 self.tr(
-                    "The yellow curve is the proposed repair with its 90 % band. "
+                    "The bold curve is the proposed repair with its 90 % band. "
                     "Nothing is changed yet. {0} shows another method."
                 ).format(self._key("next_method")),
                 self._pane("trajectories"),

@@ -9,7 +9,7 @@ from mocapmend.document import Document
 from mocapmend.theme import Theme
 from mocapmend.views.gap_arrows import paint_plot_arrows
 from mocapmend.views.labels import elided
-from mocapmend.views.lane import Frame
+from mocapmend.views.lane import Frame, paint_on_ground
 from mocapmend.views.lane_painter import Lane, LanePainter
 from mocapmend.views.plot_canvas import PlotCanvas
 from mocapmend.views.quantities import Curve, Quantity
@@ -21,6 +21,8 @@ POSITION = (Quantity.X, Quantity.Y, Quantity.Z)
 DECIMALS = {"m": 4, "cm": 2}
 """Of a coordinate, by unit; 1 of others."""
 MORE_DECIMALS = {Quantity.SPEED: -1, Quantity.ACCELERATION: -1, Quantity.RESIDUAL: 1}
+LEAST_NAME = "MMMM"
+"""What must be left of the first name."""
 APART = 18
 """Pixels between the values of two markers."""
 
@@ -156,7 +158,8 @@ class Trajectories(PlotCanvas):
             title = metrics.horizontalAdvance(self._painter.title(lane)) + 15
             name = elided(self._document.names[marker], metrics, int(rect.width()) - title - 5)
             painter.setPen(QColor(lane.curves[0].colour))
-            painter.drawText(QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent()), name)
+            place = QPointF(rect.left() + title, rect.top() + 2 + metrics.ascent())
+            paint_on_ground(painter, place, name, self._theme)
 
     def _paint_marks(self, painter: QPainter) -> None:
         """Put arrows on the ends of the current gap, in the plots that show it."""
@@ -176,10 +179,15 @@ class Trajectories(PlotCanvas):
             name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
             more = f"+{len(curves) - done}"
             room = self.width() - margins.right - x - metrics.horizontalAdvance(value)
-            if done and room < metrics.horizontalAdvance(name + more) + APART:
+            rest = room - metrics.horizontalAdvance(more) - APART
+            if done and rest < metrics.horizontalAdvance(name):
                 painter.setPen(QColor(self._theme.dim))
-                painter.drawText(QPointF(x, baseline), more)
+                if x + metrics.horizontalAdvance(more) <= self.width():
+                    painter.drawText(QPointF(x, baseline), more)
                 return
+            if len(curves) > 1 and rest > metrics.horizontalAdvance(LEAST_NAME):
+                # How many are not named is read, too, where the first takes nearly all the room.
+                room = rest
             text = elided(name, metrics, int(room)) + value
             painter.setPen(QColor(curve.colour))
             painter.drawText(QPointF(x, baseline), text)
@@ -202,7 +210,8 @@ class Trajectories(PlotCanvas):
             text = self._value(lane.quantity, lane.curves[-1], self._view.frame)
             right = frame.rect.right() - 5 - metrics.horizontalAdvance(text)
             painter.setPen(QColor(lane.curves[-1].colour))
-            painter.drawText(QPointF(right, frame.rect.top() + 2 + metrics.ascent()), text)
+            place = QPointF(right, frame.rect.top() + 2 + metrics.ascent())
+            paint_on_ground(painter, place, text, self._theme)
 
     def _value(self, quantity: Quantity, curve: Curve, frame: int) -> str:
         value = self._painter.series.rows(quantity, curve)[frame]

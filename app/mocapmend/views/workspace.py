@@ -20,7 +20,9 @@ from mocapmend.settings import RANKING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
+from mocapmend.views.frame_icons import TitleIcons
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
@@ -108,12 +110,12 @@ class Workspace(PanedWindow):
         if self.analog is not None:
             self.view.span_changed.connect(self.analog.plots.set_span)
         self.history = HistoryPane(document.undo_stack)
-        self._themed = (self.scene, self.trajectories, self.timeline, self.markers, self.report)
+        self._themed = (self.scene, self.plots, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._searching: Job | None = None
-        self._arrange()
+        self._arrange(theme)
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.filling.started.connect(self._show_filling)
@@ -157,6 +159,8 @@ class Workspace(PanedWindow):
             part.set_theme(theme)
         if self.analog is not None:
             self.analog.set_theme(theme)
+        for titles in self.findChildren(TitleIcons):
+            titles.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
@@ -319,8 +323,8 @@ class Workspace(PanedWindow):
             edited = self.tr("Edited since {0} was exported.")
             self.report.show_proof(edited.format(self.last_export.name))
         else:
-            finding, name = self._proof.sentences[0], self._proof.saved.path.name
-            self.report.show_proof(f"✔ {name}: {finding}", self._proof.sentences)
+            proved, name = tuple(map(shown, self._proof.sentences)), self._proof.saved.path.name
+            self.report.show_proof(f"✔ {name}: {proved[0]}", proved)
 
     def report_inputs(self) -> tuple[Any, ...]:
         """Return what `engine.write_report` needs, as it is now."""
@@ -359,7 +363,7 @@ class Workspace(PanedWindow):
 
     # --- arrangement -------------------------------------------------------------------------
 
-    def _arrange(self) -> None:
+    def _arrange(self, theme: Theme) -> None:
         areas = Qt.DockWidgetArea
         if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
@@ -374,7 +378,8 @@ class Workspace(PanedWindow):
         self.setCentralWidget(middle)
         markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
         queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        repair = self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        TitleIcons(repair, theme)
         timeline = self.dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )

@@ -2227,6 +2227,44 @@
     </message>
 </context>
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Drive</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>%1 File</source>
+        <translation>%1 文件</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>快捷方式</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>&amp;Look in:</source>
+        <translation>查找范围(&amp;L)：</translation>
+    </message>
+    <message>
+        <source>Files of &amp;type:</source>
+        <translation>文件类型(&amp;T)：</translation>
+    </message>
+</context>
+<context>
     <name>QueueModel</name>
     <message>
         <source>Marker</source>
@@ -2611,20 +2649,12 @@
         <translation>，从未出现</translation>
     </message>
     <message>
-        <source>frame {0}
-1 frame</source>
-        <translation>第 {0} 帧
-1 帧</translation>
+        <source>frame {0} ({1} ms)</source>
+        <translation>帧 {0} ({1} ms)</translation>
     </message>
     <message>
-        <source>frames {0} to {1}
-{2} frames</source>
-        <translation>第 {0} 至 {1} 帧
-{2} 帧</translation>
-    </message>
-    <message>
-        <source>{0}: {1} ({2} ms){3}</source>
-        <translation>{0}：{1} ({2} ms){3}</translation>
+        <source>frames {0} – {1}: {2} ({3} ms)</source>
+        <translation>帧 {0} – {1}：{2} 帧 ({3} ms)</translation>
     </message>
     <message>
         <source>{0} + {1} measured frames at its ends cut off</source>
@@ -2778,12 +2808,75 @@
         <translation>标记点三维视图</translation>
     </message>
     <message>
+        <source>Picking donors: click markers; D ends it</source>
+        <translation>正在选取参考标记点：点击标记点；按 D 结束</translation>
+    </message>
+    <message>
         <source>Segments: none are known for this recording</source>
         <translation>节段：此记录没有已知的节段</translation>
     </message>
 </context>
 <context>
+    <name>Segments</name>
+    <message>
+        <source>head</source>
+        <translation>头部</translation>
+    </message>
+    <message>
+        <source>thorax</source>
+        <translation>胸廓</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>骨盆</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>左上臂</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>右上臂</translation>
+    </message>
+    <message>
+        <source>left forearm</source>
+        <translation>左前臂</translation>
+    </message>
+    <message>
+        <source>right forearm</source>
+        <translation>右前臂</translation>
+    </message>
+    <message>
+        <source>left thigh</source>
+        <translation>左大腿</translation>
+    </message>
+    <message>
+        <source>right thigh</source>
+        <translation>右大腿</translation>
+    </message>
+    <message>
+        <source>left shank</source>
+        <translation>左小腿</translation>
+    </message>
+    <message>
+        <source>right shank</source>
+        <translation>右小腿</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>左足</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>右足</translation>
+    </message>
+</context>
+<context>
     <name>Sentences</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
     <message>
         <source>The files are the same, byte for byte.</source>
         <translation>两个文件逐字节相同。</translation>
@@ -2862,11 +2955,11 @@
     </message>
     <message>
         <source>1 byte differs in {0}.</source>
-        <translation>{0} 中有 1 个字节不同。</translation>
+        <translation>{0}中有 1 个字节不同。</translation>
     </message>
     <message>
         <source>{0} bytes differ in {1}.</source>
-        <translation>{1} 中有 {0} 个字节不同。</translation>
+        <translation>{1}中有 {0} 个字节不同。</translation>
     </message>
     <message>
         <source>the header</source>
@@ -2910,7 +3003,7 @@
     </message>
     <message>
         <source>Marker {0}: {1} although measured, the first at frame {2}.</source>
-        <translation>标记点 {0}：虽为测量值，仍有{1}，首个在第 {2} 帧。</translation>
+        <translation>标记点 {0}：虽为测量值，仍有 {1}，首个在第 {2} 帧。</translation>
     </message>
     <message>
         <source>Marker {0}: {1}, and still missing, the first at frame {2}.</source>
@@ -2931,6 +3024,26 @@
     <message>
         <source>Analog channel {0}: {1}.</source>
         <translation>模拟通道 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The c3d library read {0} frames of both files: {1} of {2} written samples decode as they should, and all else is the same.</source>
+        <translation>c3d 库读取了两个文件的 {0} 帧：写入的 {2} 个采样中有 {1} 个解码正确，其余完全相同。</translation>
+    </message>
+    <message>
+        <source>No second check, the c3d library cannot read this file: {0}.</source>
+        <translation>没有第二次检查，c3d 库无法读取此文件：{0}。</translation>
+    </message>
+    <message>
+        <source>The file was read back: all samples are as they should be.</source>
+        <translation>文件已回读：所有采样都正确。</translation>
+    </message>
+    <message>
+        <source>The repair record is in the file, as parameter group {0}.</source>
+        <translation>修复记录在文件中，为参数组 {0}。</translation>
+    </message>
+    <message>
+        <source>The repair record is beside the file: {0}.</source>
+        <translation>修复记录在文件旁边：{0}。</translation>
     </message>
     <message>
         <source>The file did not read back as it was written ({0}); it was removed.</source>
@@ -4306,7 +4419,7 @@
     </message>
     <message>
         <source>The new file has the markers alone, without {0}.</source>
-        <translation>新文件只有标记点，没有 {0}。</translation>
+        <translation>新文件只有标记点，没有{0}。</translation>
     </message>
     <message>
         <source>analog data</source>
@@ -4500,6 +4613,10 @@
         <translation>{0}（已更改）</translation>
     </message>
     <message>
+        <source>Nothing fits. Fewer letters find more.</source>
+        <translation>没有匹配项。少输入几个字可找到更多。</translation>
+    </message>
+    <message>
         <source>{0} belongs to “{1}”. Choose another key, or change that one first.</source>
         <translation>{0} 已属于“{1}”。请选择其他按键，或先更改那个命令。</translation>
     </message>
@@ -4610,8 +4727,8 @@
         <translation>每条轨道是一个标记点，橙色处为缺失。按 {0} 转到下一个缺失段，或双击任一缺失段。</translation>
     </message>
     <message>
-        <source>The yellow curve is the proposed repair with its 90 % band. Nothing is changed yet. {0} shows another method.</source>
-        <translation>黄色曲线是建议的修复及其 90 % 置信带。此时还没有任何改动。按 {0} 可查看另一种方法。</translation>
+        <source>The bold curve is the proposed repair with its 90 % band. Nothing is changed yet. {0} shows another method.</source>
+        <translation>粗曲线是建议的修复及其 90 % 置信带。此时还没有任何改动。按 {0} 可查看另一种方法。</translation>
     </message>
     <message>
         <source>Here is how far off the repair is expected to be. {0} applies it, {1} takes it back, and {2} repairs all gaps up to the limit.</source>

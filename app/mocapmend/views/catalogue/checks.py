@@ -1,6 +1,9 @@
-"""What the comparison of two files finds, for Qt Linguist."""
+"""What the comparison of two files finds and what an export proves, for Qt Linguist."""
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
+
+SEPARATOR = QT_TRANSLATE_NOOP("Sentences", ", ")
+"""Between the parts of a list."""
 
 CHECKS = (
     QT_TRANSLATE_NOOP("Sentences", "The files are the same, byte for byte."),
@@ -77,4 +80,13 @@ CHECKS = (
         "Marker {0}: {1} although the repair record keeps the gap open, the first at frame {2}.",
     ),
     QT_TRANSLATE_NOOP("Sentences", "Analog channel {0}: {1}."),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The c3d library read {0} frames of both files: {1} of {2} written samples decode as they "
+        "should, and all else is the same.",
+    ),
+    QT_TRANSLATE_NOOP("Sentences", "No second check, the c3d library cannot read this file: {0}."),
+    QT_TRANSLATE_NOOP("Sentences", "The file was read back: all samples are as they should be."),
+    QT_TRANSLATE_NOOP("Sentences", "The repair record is in the file, as parameter group {0}."),
+    QT_TRANSLATE_NOOP("Sentences", "The repair record is beside the file: {0}."),
 )

@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication, QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from mocapmend.state import SampleState
+from mocapmend.views.engine_texts import segment_name
 from mocapmend.views.painters.hull import hull
 from mocapmend.views.painters.shot import Shot
 from mocapmend_algorithms.skeleton import Segment
@@ -60,7 +61,7 @@ def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> None:
         pixels = shot.pixels[list(segment.markers)]
         pixels = pixels[np.isfinite(pixels[:, 0])]
         if len(pixels):
-            name = segment.name or translate("Scene", "segment {0}").format(number)
+            name = segment_name(segment.name) or translate("Scene", "segment {0}").format(number)
             x, y = (pixels.min(axis=0) + pixels.max(axis=0)) / 2.0
             shot.pen(shot.theme.text)
             left = x - metrics.horizontalAdvance(name) / 2.0

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor
 
+from mocapmend.views.lane import GROUND
 from mocapmend.views.painters.shot import Array, Shot
 
 MARGIN = 8.0
@@ -15,7 +16,8 @@ def paint_labels(shot: Shot, places: Array, markers: Iterable[int]) -> None:
     """Write labels beside their markers' places in the picture, shape (markers, 2)."""
     labels, selection = shot.document.names, set(shot.view.selection)
     metrics = shot.painter.fontMetrics()
-    text, dim = QColor(shot.theme.text), QColor(shot.theme.dim)
+    text, dim, ground = (QColor(getattr(shot.theme, name)) for name in ("text", "dim", "base"))
+    ground.setAlpha(GROUND)
     for marker in markers:
         x, y = places[marker]
         if np.isfinite(x):
@@ -24,6 +26,9 @@ def paint_labels(shot: Shot, places: Array, markers: Iterable[int]) -> None:
             if left + width > shot.width:
                 # On the other side, but never with its beginning out of the picture.
                 left = max(2.0, x - 10 - width)
+            if marker in selection:
+                box = QRectF(left, y - 6 - metrics.ascent(), width, metrics.height())
+                shot.painter.fillRect(box.adjusted(-2, 0, 2, 0), ground)
             shot.painter.setPen(text if marker in selection else dim)
             shot.painter.drawText(QPointF(left, y - 6), labels[marker])
 
