@@ -5,7 +5,8 @@ import pytest
 
 from mocapmend_algorithms.fill.band import FEW_TRIALS, LENGTH_POWER, MANY_TRIALS, band
 from mocapmend_algorithms.fill.case import Case
-from mocapmend_algorithms.fill.donors import Donors
+from mocapmend_algorithms.fill.completion import Completion
+from mocapmend_algorithms.fill.donors import DonorDistances, Donors
 from mocapmend_algorithms.fill.lessons import Lesson, Trial
 from mocapmend_algorithms.gaps import Gap
 
@@ -18,6 +19,8 @@ def case(starts, *, length=20, speed=0.0):
     points = np.zeros((200 + length, 2, 3))
     # The donor stands still but in the gap.
     points[200:, 1, 0] = speed / 100 * np.arange(length)
+    observed = np.ones((200 + length, 2), bool)
+    observed[200:, 0] = False
     trials = [Trial(s, s + 10, np.arange(s, s + 10), slice(0, 10)) for s in starts]
     return Case(
         gap=Gap(0, 200, 200 + length),
@@ -27,8 +30,9 @@ def case(starts, *, length=20, speed=0.0):
         frames=np.arange(200 + length),
         donors=NONE,
         target=np.zeros((200, 3)),
-        seen=np.arange(points.shape[0]) < 200,
-        points=points,
+        seen=observed[:, 0],
+        track=points[:, 0],
+        completion=Completion(points, observed, DonorDistances(points, observed), 100.0),
     )
 
 
