@@ -8,10 +8,13 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from mocapmend import report, training, user_templates
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
+    Claim,
     KeptGap,
     Provenance,
     RepairRecord,
@@ -19,7 +22,6 @@ from mocapmend.files import (
     Saved,
     Source,
     check_files,
-    confirm_with_c3d,
     patches,
     read_recording,
     save_patched,
@@ -32,6 +34,7 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
+from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import (
     Skeleton,
     Template,
@@ -44,6 +47,8 @@ from mocapmend_algorithms.sparse.part_training import PartSettings
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
 from mocapmend_resources import skeletons
 
+Apart = Callable[..., Any]
+"""Calls a function with some arguments and a progress elsewhere, and waits for what it returns."""
 READ_BACK = "The file was read back: all samples are as they should be."
 
 
@@ -100,8 +105,9 @@ def load_to_show(path: Path, progress: Progress) -> ToShow:
     _, complaints = user_templates.load()
     if complaints:
         source = replace(source, warnings=(*source.warnings, *complaints))
-    # Here and now, for the window would wait for it.
-    _ = source.measured.present
+    # Here and now, for the window would wait for it. numpy loads np.ma when it is first asked for
+    # different values or a percentile, as the views do.
+    _ = source.measured.present, np.ma
     read = ToShow(source, _stated_skeleton(source), States(source))
     progress(1.0)
     return read
@@ -339,6 +345,7 @@ def export(
     replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
     accept_truncated: bool,  # noqa: FBT001
     progress: Progress,
+    apart: Apart | None = None,
 ) -> Exported:
     """Write the repaired copy of a file and prove that only the repairs differ.
 
@@ -359,6 +366,8 @@ def export(
         See `save_patched`.
     progress : Progress
         Called often; may cancel.
+    apart : Apart, optional
+        Where the second reading goes on, which takes most of the time; here by default.
 
     Raises
     ------
@@ -383,8 +392,9 @@ def export(
     proofs: list[tuple[str, CheckReport]] = []
 
     def prove(copy: Path, record: Provenance | None) -> None:
-        sentence = confirm_with_c3d(
-            source.path, copy, source, changes.runs, lambda share: progress(0.3 + 0.6 * share)
+        claim = Claim.of(source, copy, changes.runs)
+        sentence = (
+            second_opinion(claim, progress) if apart is None else apart(second_opinion, claim)
         )
         check = check_files(source.path, copy, record)
         if not check.passed:
@@ -408,6 +418,11 @@ def export(
         confirm=prove,
     )
     return Exported(saved, *proofs[0])
+
+
+def second_opinion(claim: Claim, progress: Progress) -> str:
+    """Confirm what an export has written; see `Claim.confirm`."""
+    return claim.confirm(part(progress, 0.3, 0.9))
 
 
 def check(original: Path, repaired: Path, progress: Progress) -> CheckReport:

@@ -27,14 +27,27 @@ is painted beside a busy thread takes a good part of a second.
 """
 POLL_MS = 10
 """How often the window's thread looks at its jobs: no other thread touches a Qt object."""
+APART = object()
+"""Stands among the arguments of a job in a thread for a function `apart(function, *args)`.
+
+It has a worker process call `function(*args, progress)` and waits for the result: what is long and
+all Python would keep the interpreter from the window, call by call.
+"""
 
 
 def _call_in_thread(
-    progress: Callable[[float], None], function: Callable[..., Any], args: tuple[Any, ...]
+    workers: Workers, slot: int, function: Callable[..., Any], args: tuple[Any, ...]
 ) -> Any:
     """Give a thread what a worker gets: recordings in place of their handles."""
-    given = (arg.recording() if isinstance(arg, SharedRecording) else arg for arg in args)
-    return function(*given, progress)
+
+    def apart(inner: Callable[..., Any], *inner_args: object) -> Any:
+        return workers.submit(slot, inner, inner_args).result()
+
+    given = (
+        arg.recording() if isinstance(arg, SharedRecording) else apart if arg is APART else arg
+        for arg in args
+    )
+    return function(*given, workers.board.reporter(slot))
 
 
 class Job(QObject):
@@ -166,8 +179,7 @@ class Jobs(QObject):
     def read_or_write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Run `function(*args, progress)` in a thread: for files, which wait more than compute."""
         slot = self._take_slot(title)
-        progress = self._workers.board.reporter(slot)
-        future = self._threads.submit(_call_in_thread, progress, function, args)
+        future = self._threads.submit(_call_in_thread, self._workers, slot, function, args)
         return self._start(title, slot, future, args)
 
     def warm_up(self) -> None:

@@ -77,13 +77,11 @@ def place_to_begin(recording: Recording, gaps: Iterable[Gap]) -> Gap | None:
     """
     longest = default_frames(recording.rate)
     short = (
-        gap
-        for gap in in_time_order(gaps, recording.frames)
-        if gap.length <= longest and gap.kind(recording.frames) == "interior"
+        gap for gap in gaps if gap.length <= longest and gap.kind(recording.frames) == "interior"
     )
     fit = (
         gap
-        for gap in sorted(short, key=lambda gap: -gap.length)
+        for gap in sorted(short, key=lambda gap: (-gap.length, gap.start, gap.marker))
         if not recording.labels[gap.marker].startswith("*")
         and recording.present[:, gap.marker].mean() > 0.5
         and recording.present[gap.start].mean() > 0.5

@@ -74,6 +74,8 @@ class ProblemList:
     def learn(self) -> None:
         """Take note of what is known of the open gaps by now."""
         errors = self._prospects.errors
+        if not errors:
+            return
         known = [errors.get(gap) for gap in self.gaps[: self._open]]
         self.tried[: self._open] = [error is not None for error in known]
         # None becomes NaN.

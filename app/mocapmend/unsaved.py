@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend import engine
-from mocapmend.engine import Changes, Exported
+from mocapmend.engine import Apart, Changes, Exported
 from mocapmend.files import KeptGap, RepairRecord, Source
 from mocapmend.written import Places, differing_runs
 from mocapmend_algorithms import Gap, Progress
@@ -75,6 +75,7 @@ def export(
     unsaved: Unsaved,
     out: Path,
     replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
+    apart: Apart | None,
     progress: Progress,
 ) -> Exported:
     """Write the repaired copy of an open recording; see `engine.export`.
@@ -87,7 +88,8 @@ def export(
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
     source = unsaved.source
-    return engine.export(source, unsaved.changes(), out, replace_source, source.truncated, progress)
+    changes = unsaved.changes()
+    return engine.export(source, changes, out, replace_source, source.truncated, progress, apart)
 
 
 def write_recipe(unsaved: Unsaved, path: Path, progress: Progress) -> None:

@@ -10,9 +10,9 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     C3DFile,
     ChangedRun,
+    Claim,
     SampleRun,
     check_files,
-    confirm_with_c3d,
     read_c3d,
     save_patched,
 )
@@ -87,7 +87,7 @@ def test_repaired_samples_are_listed_and_confirmed(source: C3DFile, tmp_path: Pa
         ChangedRun("D", 4, 11, 12),
     )
     assert report.changed_samples == 15
-    sentence = confirm_with_c3d(source.path, out, source, runs)
+    sentence = Claim.of(source, out, runs).confirm()
     assert "read 40 frames of both files: 15 of 15" in sentence
 
 
@@ -187,20 +187,20 @@ def test_the_second_reader_contradicts(source: C3DFile, tmp_path: Path) -> None:
     runs = [SampleRun(0, 9, np.full((3, 3), 12.5))]
     out = tmp_path / "out.c3d"
     save_patched(source, runs, out)
-    assert "3 of 3" in confirm_with_c3d(source.path, out, source, runs)
+    assert "3 of 3" in Claim.of(source, out, runs).confirm()
     with pytest.raises(MocapmendError, match="data that were not written differ"):
-        confirm_with_c3d(source.path, out, source, [])
+        Claim.of(source, out, []).confirm()
     with pytest.raises(MocapmendError, match="written samples read differently"):
-        confirm_with_c3d(source.path, source.path, source, runs)
+        Claim.of(source, source.path, runs).confirm()
     whole = out.read_bytes()
     out.write_bytes(whole[: slot(source, 30, 0)])
     with pytest.raises(MocapmendError, match="another number of frames"):
-        confirm_with_c3d(source.path, out, source, runs)
+        Claim.of(source, out, runs).confirm()
     out.write_bytes(whole[:600])
     with pytest.raises(MocapmendError, match="it cannot read it"):
-        confirm_with_c3d(source.path, out, source, runs)
+        Claim.of(source, out, runs).confirm()
     with pytest.raises(MocapmendError, match="no such file"):
-        confirm_with_c3d(source.path, tmp_path / "missing.c3d", source, runs)
+        Claim.of(source, tmp_path / "missing.c3d", runs).confirm()
 
 
 @pytest.mark.parametrize("machine", ["intel", "dec", "mips"])
@@ -212,7 +212,7 @@ def test_tiny_numbers_that_the_second_reader_takes_for_others(
     source = read_c3d(path)
     runs = [SampleRun(1, 3, np.array([[1e-39, 5.0, -1e-40]]))]
     save_patched(source, runs, out)
-    assert "1 of 1 written samples decode" in confirm_with_c3d(path, out, source, runs)
+    assert "1 of 1 written samples decode" in Claim.of(source, out, runs).confirm()
 
 
 def test_frames_that_only_the_second_reader_sees_are_not_compared(tmp_path: Path) -> None:
@@ -224,13 +224,13 @@ def test_frames_that_only_the_second_reader_sees_are_not_compared(tmp_path: Path
     runs = [SampleRun(1, 3, np.full((2, 3), 9000.0))]
     saved = save_patched(source, runs, out, repairs=())
     assert read_c3d(saved.path).layout.is_float
-    assert "read 40 frames" in confirm_with_c3d(path, out, source, runs)
+    assert "read 40 frames" in Claim.of(source, out, runs).confirm()
 
 
 def test_a_file_that_the_second_reader_refuses(tmp_path: Path) -> None:
     path = tmp_path / "rate.c3d"
     path.write_bytes(encode(Synthetic(walk(), parameters={"POINT:RATE": [50.0]})))
-    sentence = confirm_with_c3d(path, path, read_c3d(path), [])
+    sentence = Claim.of(read_c3d(path), path, []).confirm()
     assert sentence.startswith("No second check, the c3d library cannot read this file: Assertion")
 
 
@@ -241,5 +241,5 @@ def test_a_file_that_the_second_reader_reads_otherwise(tmp_path: Path) -> None:
     path.write_bytes(raw)
     source = read_c3d(path)
     np.testing.assert_array_equal(source.recording.points, walk())
-    sentence = confirm_with_c3d(path, path, source, [])
+    sentence = Claim.of(source, path, []).confirm()
     assert "it finds other numbers" in sentence

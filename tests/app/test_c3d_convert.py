@@ -8,7 +8,7 @@ from c3d_synthetic import MACHINES, Machine, Synthetic, encode, walk
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile, RepairRecord, SampleRun, check_files, read_c3d, save_patched
-from mocapmend.files.second_reader import confirm_with_c3d
+from mocapmend.files.second_reader import Claim
 
 SCALE = 0.125
 BEYOND = 33_000 * SCALE
@@ -80,7 +80,7 @@ def test_the_proofs_see_the_conversion(machine: Machine, tmp_path: Path) -> None
     assert report.passed
     assert report.changed_samples == 4
     assert any("became floats" in sentence for sentence in report.allowed)
-    assert "4 of 4 written samples" in confirm_with_c3d(source.path, out, source, [REPAIR])
+    assert "4 of 4 written samples" in Claim.of(source, out, [REPAIR]).confirm()
 
 
 @pytest.mark.parametrize("what", ["sample", "fourth word", "analog value", "scale"])

@@ -17,10 +17,10 @@ import pytest
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     C3DFile,
+    Claim,
     RepairRecord,
     SampleRun,
     check_files,
-    confirm_with_c3d,
     read_c3d,
     save_patched,
 )
@@ -400,7 +400,7 @@ def test_save_and_check(path: Path, tmp_path: Path) -> None:
     }
     assert found <= written
     assert bool(found) == bool(runs)
-    assert "all else is the same" in (sentence := confirm_with_c3d(path, out, file, runs)) or (
+    assert "all else is the same" in (sentence := Claim.of(file, out, runs).confirm()) or (
         sentence.startswith("No second check")
     )
     again = read_c3d(out)
@@ -440,4 +440,4 @@ def test_integers_become_floats_that_decode_the_same(path: Path, tmp_path: Path)
     np.testing.assert_array_equal(floats.read_analog(), source.read_analog())
     assert floats.events == source.events
     assert check_files(path, saved.path).passed
-    confirm_with_c3d(path, saved.path, source, [run])
+    Claim.of(source, saved.path, [run]).confirm()

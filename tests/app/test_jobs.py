@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 from worker_modules import loaded
 
 from mocapmend.errors import MocapmendError
-from mocapmend.jobs import Job, Jobs
+from mocapmend.jobs import APART, Job, Jobs
 from mocapmend.shared_recording import SharedRecording
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend_algorithms import Progress, Recording
@@ -32,6 +32,18 @@ def lent_workers() -> None:
 def double(value: int, progress: Progress) -> int:
     progress(0.5)
     return 2 * value
+
+
+def ask_a_worker(value: int, apart: Callable[..., int], progress: Progress) -> tuple[int, int]:
+    return os.getpid(), apart(double, value)
+
+
+def where(progress: Progress) -> int:
+    return os.getpid()
+
+
+def ask_for(function: Callable[..., object], apart: Callable[..., object], _: Progress) -> object:
+    return apart(function)
 
 
 def refuse(progress: Progress) -> None:
@@ -69,6 +81,30 @@ def test_a_job_delivers_its_result(jobs: Jobs, qtbot: QtBot, kind: str) -> None:
     assert finished.args == [42]
     assert seen == ["finished"]
     assert jobs.running == 0
+
+
+def test_a_thread_has_a_worker_compute_for_it(jobs: Jobs, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(jobs.read_or_write("ask", ask_a_worker, 21, APART).finished) as done:
+        pass
+    assert done.args == [(os.getpid(), 42)]
+    with qtbot.waitSignal(jobs.read_or_write("ask", ask_for, where, APART).finished) as done:
+        pass
+    assert done.args[0] != os.getpid()
+
+
+def test_what_a_worker_computes_for_a_thread_has_progress_and_errors(
+    jobs: Jobs, qtbot: QtBot
+) -> None:
+    job = jobs.read_or_write("ask", ask_for, work_until_cancelled, APART)
+    seen = outcomes(job)
+    with qtbot.waitSignal(job.progressed, timeout=20_000):
+        pass
+    with qtbot.waitSignal(job.ended, timeout=20_000):
+        job.cancel()
+    assert seen == ["cancelled"]
+    with qtbot.waitSignal(jobs.read_or_write("ask", ask_for, refuse, APART).failed) as failed:
+        pass
+    assert isinstance(failed.args[0], MocapmendError)
 
 
 @pytest.mark.parametrize("kind", ["compute", "read_or_write"])

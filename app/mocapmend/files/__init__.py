@@ -13,7 +13,7 @@ from mocapmend.files.opening import Stamp
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.records import KeptGap, RepairRecord
 from mocapmend.files.saving import Saved
-from mocapmend.files.second_reader import confirm_with_c3d
+from mocapmend.files.second_reader import Claim
 from mocapmend.files.source import Event, Source
 from mocapmend.files.writing import LONG_CSV, WRITTEN, check_ending, patches, write_recording
 
@@ -24,6 +24,7 @@ __all__ = [
     "C3DFile",
     "ChangedRun",
     "CheckReport",
+    "Claim",
     "Event",
     "ForcePlate",
     "KeptGap",
@@ -36,7 +37,6 @@ __all__ = [
     "Stamp",
     "check_ending",
     "check_files",
-    "confirm_with_c3d",
     "patches",
     "read_c3d",
     "read_recording",

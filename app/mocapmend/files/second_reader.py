@@ -62,67 +62,90 @@ class _RefusedError(Exception):
     """The library cannot read a file, or not as we do."""
 
 
-@np.errstate(all="ignore")
-def confirm_with_c3d(
-    original: Path,
-    saved: Path,
-    source: C3DFile,
-    runs: Sequence[SampleRun],
-    progress: Progress = no_progress,
-) -> str:
-    """Read both files with the c3d library and compare them frame by frame.
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """What a saved file is said to hold; another process may confirm it.
 
-    Parameters
+    Attributes
     ----------
     original, saved : Path
         The file before and after.
-    source : C3DFile
-        The original as our own reader read it.
-    runs : sequence of SampleRun
+    layout, saved_layout : Layout
+        Of both.
+    slots : Slots
         What was written.
-    progress : Progress
-        Called often; may cancel.
-
-    Returns
-    -------
-    str
-        A sentence that says what was confirmed, or that the library cannot read the original.
-
-    Raises
-    ------
-    MocapmendError
-        If the library reads the original, but cannot read the saved file or reads something else
-        in it than what was written.
     """
-    layout = source.layout
-    saved_layout = _layout_of(Path(saved), layout)
-    slots = encode_runs(source, runs, saved_layout)
-    converted = saved_layout.is_float and not layout.is_float
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        before, after = _read(Path(original), layout), _read(Path(saved), saved_layout)
-        count = 0
-        while True:
-            try:
-                expected = next(before, None)
-            except _RefusedError as error:
-                return f"No second check, the c3d library cannot read this file: {error}."
-            try:
-                read = next(after, None)
-            except _RefusedError as error:
-                raise _contradiction(saved, f"it cannot read it: {error}") from error
-            if expected is None and read is None:
-                break
-            if expected is None or read is None or len(expected.points) != len(read.points):
-                raise _contradiction(saved, "it reads another number of frames")
-            _compare(expected, read, slots, saved, saved_layout, converted=converted)
-            count += len(read.points)
-            progress(min(1.0, count / max(1, layout.frames)))
-    samples = int(np.count_nonzero(slots.frames < count))
-    return (
-        f"The c3d library read {count} frames of both files: {samples} of {len(slots)} written "
-        "samples decode as they should, and all else is the same."
-    )
+
+    original: Path
+    saved: Path
+    layout: Layout
+    saved_layout: Layout
+    slots: Slots
+
+    @classmethod
+    def of(cls, source: C3DFile, saved: Path, runs: Sequence[SampleRun]) -> "Claim":
+        """Return what is said of a copy.
+
+        Parameters
+        ----------
+        source : C3DFile
+            The original as our own reader read it.
+        saved : Path
+            The copy.
+        runs : sequence of SampleRun
+            What was written.
+        """
+        saved_layout = _layout_of(saved, source.layout)
+        slots = encode_runs(source, runs, saved_layout)
+        return cls(source.path, saved, source.layout, saved_layout, slots)
+
+    @np.errstate(all="ignore")
+    def confirm(self, progress: Progress = no_progress) -> str:
+        """Read both files with the c3d library and compare them frame by frame.
+
+        Parameters
+        ----------
+        progress : Progress
+            Called often; may cancel.
+
+        Returns
+        -------
+        str
+            A sentence that says what was confirmed, or that the library cannot read the original.
+
+        Raises
+        ------
+        MocapmendError
+            If the library reads the original, but cannot read the saved file or reads something
+            else in it than what was written.
+        """
+        layout, saved, slots = self.layout, self.saved, self.slots
+        converted = self.saved_layout.is_float and not layout.is_float
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            before, after = _read(self.original, layout), _read(saved, self.saved_layout)
+            count = 0
+            while True:
+                try:
+                    expected = next(before, None)
+                except _RefusedError as error:
+                    return f"No second check, the c3d library cannot read this file: {error}."
+                try:
+                    read = next(after, None)
+                except _RefusedError as error:
+                    raise _contradiction(saved, f"it cannot read it: {error}") from error
+                if expected is None and read is None:
+                    break
+                if expected is None or read is None or len(expected.points) != len(read.points):
+                    raise _contradiction(saved, "it reads another number of frames")
+                _compare(expected, read, slots, saved, self.saved_layout, converted=converted)
+                count += len(read.points)
+                progress(min(1.0, count / max(1, layout.frames)))
+        samples = int(np.count_nonzero(slots.frames < count))
+        return (
+            f"The c3d library read {count} frames of both files: {samples} of {len(slots)} written "
+            "samples decode as they should, and all else is the same."
+        )
 
 
 def _layout_of(path: Path, expected: Layout) -> Layout:

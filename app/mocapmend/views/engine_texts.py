@@ -50,7 +50,7 @@ def shown(text: str) -> str:
     str
         The translation, with the changing parts put in; the text itself if it is in no catalogue.
     """
-    found = find(text)
+    found = find(text) if text else None
     if found is None:
         return text
     template, parts = found

@@ -11,7 +11,7 @@ from mocapmend import engine, unsaved
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, LONG_CSV, same_file
-from mocapmend.jobs import Job
+from mocapmend.jobs import APART, Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend.views.dialogs import widen
 from mocapmend.views.naming import kind_of, meant, repaired_name
@@ -174,6 +174,7 @@ class FileActions(QObject):
             document.unsaved(),
             path,
             replaces,
+            APART,
         )
         index = document.undo_stack.index()
         job.finished.connect(lambda done: self._exported(document, index, done, then))
