@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtGui import QUndoCommand
 
 from mocapmend.document import Document, Edit
+from mocapmend.written import places_of
 
 
 class EditSamples(QUndoCommand):
@@ -24,8 +25,10 @@ class EditSamples(QUndoCommand):
         super().__init__(text)
         self._document = document
         self._after = tuple(edits)
+        runs = [edit.gap for edit in edits]
+        self._places = places_of(runs)
         # Of ten thousand runs the edits are not made before they are needed.
-        self._read = document.read_runs([edit.gap for edit in edits])
+        self._read = document.read_runs(runs, self._places)
         self._before: tuple[Edit, ...] = ()
 
     @property
@@ -35,9 +38,9 @@ class EditSamples(QUndoCommand):
 
     def redo(self) -> None:
         """Write the new runs."""
-        self._document.apply(self._after)
+        self._document.apply(self._after, self._places)
 
     def undo(self) -> None:
         """Write the old runs back."""
         self._before = self._before or tuple(self._read)
-        self._document.apply(self._before)
+        self._document.apply(self._before, self._places)

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from mocapmend.state import ABSENT, SampleState
 from mocapmend.states import States
 from mocapmend.unsaved import Unsaved
 from mocapmend.working_copy import WorkingCopy
-from mocapmend.written import differing, places_of, shares_of
+from mocapmend.written import Places, places_of, shares_of
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.skeleton import Skeleton
@@ -27,8 +27,7 @@ FILLED = np.uint8(SampleState.FILLED)
 NO_SKELETON = Skeleton("", (), "none")
 
 
-@dataclass(frozen=True)
-class Repair:
+class Repair(NamedTuple):
     """How a gap was filled.
 
     Attributes
@@ -269,25 +268,29 @@ class Document(QObject):
 
     def _shared_with(self, runs: Collection[Gap], points: NDArray[np.float64]) -> SharedRecording:
         """Return the samples of the file, but those of some runs."""
-        recording = self.source.recording
         if self._shared_file is None:
-            self._shared_file = SharedRecording(recording)
-        frames, markers = differing(points, recording.points, places_of(runs))
-        if not len(frames):
+            self._shared_file = SharedRecording(self.source.recording)
+        if not runs:
             return self._shared_file
-        changed = Changed(frames, markers, points[frames, markers])
-        return self._shared_file.with_changes(changed)
+        frames, markers = places = places_of(runs)
+        return self._shared_file.with_changes(Changed(frames, markers, points[places]))
 
     def read(self, gap: Gap) -> Edit:
         """Return what a run holds now, as the edit that would restore it."""
-        return next(self.read_runs((gap,)))
+        return next(self.read_runs((gap,), places_of((gap,))))
 
-    def read_runs(self, runs: Sequence[Gap]) -> Iterator[Edit]:
+    def read_runs(self, runs: Sequence[Gap], places: Places) -> Iterator[Edit]:
         """Return for each run what it holds now, as the edit that would restore it.
 
         It is read now; the edits are made as they are asked for.
+
+        Parameters
+        ----------
+        runs : sequence of Gap
+            Which.
+        places : Places
+            Where their samples are.
         """
-        places = places_of(runs)
         values, states = self.points[places], self.state[places]
         repairs = [self.repairs.get(gap) for gap in runs]
         return (
@@ -295,10 +298,17 @@ class Document(QObject):
             for gap, own, repair in zip(runs, shares_of(runs), repairs, strict=True)
         )
 
-    def apply(self, edits: Sequence[Edit]) -> None:
-        """Write runs of samples. For undo commands alone."""
+    def apply(self, edits: Sequence[Edit], places: Places) -> None:
+        """Write runs of samples. For undo commands alone.
+
+        Parameters
+        ----------
+        edits : sequence of Edit
+            What the runs shall hold.
+        places : Places
+            Where their samples are.
+        """
         changed = tuple(edit.gap for edit in edits)
-        places = places_of(changed)
         self._samples.writable()[places] = np.concatenate([edit.values for edit in edits])
         states = np.concatenate([edit.states for edit in edits])
         self._states.write(places, states, {gap.marker for gap in changed})

@@ -14,7 +14,7 @@ from mocapmend_algorithms import Recording
 
 @dataclass(frozen=True, eq=False)
 class Changed:
-    """Samples in which a recording differs from another one.
+    """Samples in which a recording may differ from another one.
 
     Attributes
     ----------

@@ -30,21 +30,6 @@ def shares_of(runs: Sequence[Gap]) -> Iterator[slice]:
         start += run.length
 
 
-def differing(points: NDArray[np.float64], stored: NDArray[np.float64], places: Places) -> Places:
-    """Return those places at which two recordings differ in any bit: NaN is not equal to itself.
-
-    Parameters
-    ----------
-    points, stored : ndarray, shape (frames, markers, 3)
-        The recordings.
-    places : Places
-        Where to look.
-    """
-    differs = _differ(points[places], stored[places])
-    frames, markers = places
-    return frames[differs], markers[differs]
-
-
 def differing_runs(
     values: NDArray[np.float64], stored: NDArray[np.float64], places: Places
 ) -> Iterator[SampleRun]:

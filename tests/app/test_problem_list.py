@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.files import Source, Stamp
 from mocapmend.problem_list import ProblemList
@@ -35,6 +36,10 @@ def document() -> Document:
     return Document(source, Skeleton("", (), "none"))
 
 
+def edit(document: Document, *edits: Edit) -> None:
+    document.undo_stack.push(EditSamples(document, edits, "edit"))
+
+
 def listed(problems: ProblemList, *, falling: bool) -> list[Gap]:
     places = problems.passing({0, 1, 2}, ALL, 0.0, 100.0)
     harm = problems.error * problems.length
@@ -57,7 +62,7 @@ def test_the_unknown_comes_last_in_the_order_of_time(document: Document) -> None
 
 def test_edits_and_decisions_are_seen_when_it_is_taken_anew(document: Document) -> None:
     problems = ProblemList(document, Prospects())
-    document.apply([Edit.fill(patch(SHORT, 2.0), *WAY), Edit.clear(LATE, SampleState.NEVER)])
+    edit(document, Edit.fill(patch(SHORT, 2.0), *WAY), Edit.clear(LATE, SampleState.NEVER))
     document.leave_open({LONG: "by hand"})
     before = problems.place_of(SHORT)
     assert before is not None
@@ -67,7 +72,7 @@ def test_edits_and_decisions_are_seen_when_it_is_taken_anew(document: Document) 
     assert found == {SHORT: Status.REPAIRED, LATE: Status.NEVER, LONG: Status.BEYOND}
     made = problems.problem(problems.gaps.index(SHORT))
     assert (made.error, made.tried) == (pytest.approx(2.0), True)
-    document.apply([Edit.clear(SHORT)])
+    edit(document, Edit.clear(SHORT))
     # As it was when the list was taken, until it is taken anew.
     assert problems.problem(problems.gaps.index(SHORT)).best is not None
 

@@ -69,9 +69,10 @@ def error_text(error: MocapmendError) -> str:
 @lru_cache(maxsize=4096)
 def find(text: str) -> tuple[str, tuple[str, ...]] | None:
     """Return the sentence of the catalogue that fits a text, and the parts that change in it."""
-    for template, start in _templates():
+    for template, start, end in _templates():
         # Patterns take long to make: only those are made that may fit.
-        if text.startswith(start) and (match := _pattern(template).fullmatch(text)):
+        may_fit = text.startswith(start) and text.endswith(end)
+        if may_fit and (match := _pattern(template).fullmatch(text)):
             return template, match.groups()
     return None
 
@@ -86,10 +87,10 @@ def _shown_part(part: str) -> str:
 
 
 @cache
-def _templates() -> tuple[tuple[str, str], ...]:
-    """Return all sentences with what comes before their first place; the most fixed come first."""
+def _templates() -> tuple[tuple[str, str, str], ...]:
+    """Return all sentences, the most fixed first, with what comes before and after all places."""
     fixed = sorted(SENTENCES, key=lambda text: len(_PLACE.sub("", text)), reverse=True)
-    return tuple((text, _PLACE.split(text, maxsplit=1)[0]) for text in fixed)
+    return tuple((text, _PLACE.split(text)[0], _PLACE.split(text)[-1]) for text in fixed)
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -100,7 +101,7 @@ class Filling(QObject):
 
     def _complete(self, way: Way, limits: Limits, then: Callable[[], None]) -> None:
         """Compute what is not known yet, and go on."""
-        if self.job is not None:
+        if self.job is not None or self._later.isActive():
             return
         unknown = self.planned(way, limits)[1]
         if not unknown:
@@ -127,18 +128,21 @@ class Filling(QObject):
         self, way: Way, gaps: list[Gap], result: FillResult, then: Callable[[], None]
     ) -> None:
         self._prospects.add(way, gaps, result)
-        # The window comes to its events in between: of ten thousand gaps each step would be felt.
-        self._then = then
-        self._later.start()
+        self._soon(then)
 
     def _tell_cancelled(self) -> None:
         self.message.emit(self.tr("Cancelled: nothing was filled."))
+
+    def _soon(self, then: Callable[[], None]) -> None:
+        """Go on when the window has come to its events: of ten thousand gaps each step is felt."""
+        self._then = then
+        self._later.start()
 
     def _go_on(self) -> None:
         then, self._then = self._then, None
         if then is not None:
             then()
-        self._rest()
+        self._end()
 
     def _end(self) -> None:
         if not self._later.isActive():
@@ -147,6 +151,7 @@ class Filling(QObject):
     def _rest(self) -> None:
         self.job = None
         if self._ranking:
+            self._ranking = False
             self._survey.start()
         self.ended.emit()
 
@@ -157,9 +162,19 @@ class Filling(QObject):
         for gap in self._document.never:
             reasons.pop(gap, None)
         self._document.leave_open(reasons)
-        filled, left = len(result.patches), len(result.unfilled)
+        revision, left = self._document.revision, len(result.unfilled)
+
+        def make(edits: list[Edit]) -> None:
+            if self._document.revision == revision:
+                self._make(edits, left, way)
+            else:
+                self._accept(way, limits)
+
+        self._soon(lambda: self._soon(partial(make, Edit.fills(result, *way))))
+
+    def _make(self, edits: list[Edit], left: int, way: Way) -> None:
+        filled = len(edits)
         if filled:
-            edits = Edit.fills(result, *way)
             self._push(edits, f"fill {filled} gaps ({way.method})")
         self.message.emit(self.tr("{0} gaps filled, {1} left open.").format(filled, left))
         self.done.emit(filled, left)
