@@ -221,6 +221,7 @@ class MainWindow(QMainWindow):
         stack.cleanChanged.connect(self._show_title)
         self._keys.guard(workspace)
         workspace.repair.rebuilt.connect(self._guard_repairs)
+        workspace.paint_later()
         self.documents.add(workspace, instead_of)
         if instead_of is not None:
             self.drop(instead_of)

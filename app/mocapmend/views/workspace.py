@@ -47,6 +47,8 @@ TAB_HEIGHT = 36
 BEGIN_MS = 50
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
+MANY_RUNS = 500
+"""Above that an edit takes so long that what it changes is painted a moment later."""
 
 
 class Workspace(PanedWindow):
@@ -138,6 +140,11 @@ class Workspace(PanedWindow):
         self._show_proof()
         self._show_first_gap()
         # What goes on in the background must not hold up the first picture.
+        self._paint_timer = QTimer(self)
+        self._paint_timer.setSingleShot(True)
+        self._paint_timer.setInterval(0)
+        self._paint_timer.timeout.connect(self._paint_again)
+        document.samples_changed.connect(self._rest_from)
         self._begin_timer = QTimer(self)
         self._begin_timer.setSingleShot(True)
         self._begin_timer.setInterval(BEGIN_MS)
@@ -152,6 +159,18 @@ class Workspace(PanedWindow):
             self._search_skeleton()
         if self._settings.get(RANKING) and self.isVisible() and self.filling.job is None:
             self.survey.start()
+
+    def paint_later(self) -> None:
+        """Paint a moment later, after other events: what was done took long enough."""
+        self.setUpdatesEnabled(False)
+        self._paint_timer.start()
+
+    def _paint_again(self) -> None:
+        self.setUpdatesEnabled(True)
+
+    def _rest_from(self, changed: tuple[Gap, ...]) -> None:
+        if len(changed) > MANY_RUNS:
+            self.paint_later()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
