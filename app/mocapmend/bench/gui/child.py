@@ -11,6 +11,7 @@ MODULES = {
     "plain": "plain_plots",
     "mne": "mne_browser",
     "reading": "opening",
+    "sharing": "opening",
     "opening": "opening",
     "pauses": "pauses",
     "memory": "memory",

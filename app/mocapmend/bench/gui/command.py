@@ -137,16 +137,17 @@ def _mne(trial: Trial) -> Iterable[Row]:
 
 
 def _opening(trial: Trial) -> Iterable[Row]:
-    ours, reading = [], []
-    # The first round fills the system's cache of files.
-    for counted in range(-1, trial.runs):
-        read, shown = (measure(name, trial.path) for name in ("reading", "opening"))
-        if counted >= 0:
-            reading.append(read)
-            ours.append(shown)
-    what = ("open to the first paint of the recording", "seconds", "<= 1.5")
-    alone, opened = held_against("reading alone", "s", (what,), ours, reading)
-    return replace(alone, what="reading alone, in a fresh process"), opened
+    names = ("reading", "sharing", "opening")
+    runs = [[measure(name, trial.path) for name in names] for _ in range(trial.runs + 1)]
+    # The first round has filled the system's cache of files.
+    reading, sharing, ours = zip(*runs[1:], strict=True)
+    alone = "reading alone"
+    shared = ("the same, into memory that workers share", "seconds", "")
+    opened = ("open to the first paint of the recording", "seconds", "<= 1.5")
+    first, *rest = held_against(alone, "s", (shared,), sharing, reading)
+    yield replace(first, what=f"{alone}, in a fresh process")
+    yield from rest
+    yield from list(held_against(alone, "s", (opened,), ours, reading))[1:]
 
 
 def _pauses(trial: Trial) -> Iterable[Row]:
