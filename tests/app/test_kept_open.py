@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from c3d_synthetic import MACHINES, Machine, Synthetic, encode, walk
+from repaired_files import write_three_gaps
 
 from mocapmend import engine
 from mocapmend.files import (
@@ -31,26 +32,6 @@ NEVER, LEFT, OTHER = Gap(0, 10, 14), Gap(2, 10, 14), Gap(0, 20, 21)
 NAME = b"KEPT_OPEN"
 
 
-def written(folder: Path, machine: Machine = "intel") -> C3DFile:
-    """Write a file with three gaps; its second point is a model output."""
-    points = walk()
-    fourth = np.zeros(points.shape[:2])
-    for point, start, stop in ((0, 10, 14), (0, 20, 21), (3, 10, 14)):
-        points[start:stop, point] = 0.0
-        fourth[start:stop, point] = -1.0
-    spec = Synthetic(
-        points,
-        machine,
-        fourth=fourth,
-        first_frame=101,
-        labels=["A", "Angle", "B", "C", "Ψ D"],
-        parameters={"POINT:ANGLES": ["Angle"]},
-    )
-    path = folder / "source.c3d"
-    path.write_bytes(encode(spec))
-    return read_c3d(path)
-
-
 def kept(source: Source, *, left: bool = True) -> tuple[KeptGap, ...]:
     """Protect one gap, and leave another one open."""
     never = engine.kept_gap(source, NEVER, never=True, reason=NEVER_FILLED)
@@ -70,7 +51,7 @@ def export(source: Source, changes: engine.Changes, out: Path) -> engine.Exporte
 
 @pytest.mark.parametrize("machine", MACHINES)
 def test_they_are_entries_of_their_own(machine: Machine, tmp_path: Path) -> None:
-    source = written(tmp_path, machine)
+    source = write_three_gaps(tmp_path, machine)
     out = tmp_path / "out.c3d"
     done = export(source, replace(repair(source, OTHER), kept_open=kept(source)), out)
     assert done.saved.record == "group"
@@ -89,7 +70,7 @@ def test_they_are_entries_of_their_own(machine: Machine, tmp_path: Path) -> None
 
 
 def test_they_alone_are_worth_a_record_and_taken_off_leave_the_original(tmp_path: Path) -> None:
-    source = written(tmp_path)
+    source = write_three_gaps(tmp_path)
     first, second, third = (tmp_path / f"{name}.c3d" for name in ("first", "second", "third"))
     done = export(source, engine.Changes((), (), kept(source)), first)
     assert done.saved.record == "group"
@@ -104,7 +85,7 @@ def test_they_alone_are_worth_a_record_and_taken_off_leave_the_original(tmp_path
 
 
 def test_a_record_without_them_does_not_name_them(tmp_path: Path) -> None:
-    source = written(tmp_path)
+    source = write_three_gaps(tmp_path)
     out, table = tmp_path / "out.c3d", tmp_path / "out.csv"
     export(source, repair(source, OTHER), out)
     export(source, repair(source, OTHER), table)
@@ -114,7 +95,7 @@ def test_a_record_without_them_does_not_name_them(tmp_path: Path) -> None:
 
 
 def test_a_later_fill_leaves_them_but_for_the_one_that_it_fills(tmp_path: Path) -> None:
-    source = written(tmp_path)
+    source = write_three_gaps(tmp_path)
     first, second = tmp_path / "first.c3d", tmp_path / "second.c3d"
     export(source, engine.Changes((), (), kept(source)), first)
     marked = read_c3d(first)
@@ -127,7 +108,7 @@ def test_a_later_fill_leaves_them_but_for_the_one_that_it_fills(tmp_path: Path) 
 
 @pytest.mark.parametrize("name", ["out.csv", "out.trc", "out.npz", "new.c3d"])
 def test_files_of_other_formats_keep_them(name: str, tmp_path: Path) -> None:
-    source = written(tmp_path)
+    source = write_three_gaps(tmp_path)
     table, out = tmp_path / "table.csv", tmp_path / name
     export(source, engine.Changes((), (), kept(source)), table)
     read = read_recording(table)
@@ -165,7 +146,7 @@ def test_many_go_beside_the_file(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("listed", [True, False], ids=["listed", "not listed"])
 def test_samples_in_a_gap_kept_open_may_not_differ(tmp_path: Path, listed: bool) -> None:
-    source, out = written(tmp_path), tmp_path / "out.c3d"
+    source, out = write_three_gaps(tmp_path), tmp_path / "out.c3d"
     filled = repair(source, NEVER)
     repairs = filled.repairs if listed else ()
     save_patched(source, filled.runs, out, repairs=repairs, kept_open=kept(source))
@@ -176,7 +157,7 @@ def test_samples_in_a_gap_kept_open_may_not_differ(tmp_path: Path, listed: bool)
 
 
 def test_a_repair_may_be_reopened_and_its_gap_protected(tmp_path: Path) -> None:
-    source = written(tmp_path)
+    source = write_three_gaps(tmp_path)
     first, second = tmp_path / "first.c3d", tmp_path / "second.c3d"
     export(source, repair(source, NEVER), first)
     repaired = read_c3d(first)
@@ -224,7 +205,7 @@ def test_what_is_no_gap_kept_open(wrong: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("data", [None, 7, {}, "text", [1], [[]]])
 def test_a_sidecar_whose_list_is_none_is_a_warning(data: object, tmp_path: Path) -> None:
-    source, out = written(tmp_path), tmp_path / "out.csv"
+    source, out = write_three_gaps(tmp_path), tmp_path / "out.csv"
     export(source, engine.Changes((), (), kept(source)), out)
     beside = sidecar_path(out)
     beside.write_text(json.dumps(json.loads(beside.read_text()) | {"kept_open": data}))
@@ -243,7 +224,7 @@ def test_a_sidecar_whose_list_is_none_is_a_warning(data: object, tmp_path: Path)
     ],
 )
 def test_a_damaged_entry_is_a_warning(old: bytes, new: bytes, tmp_path: Path) -> None:
-    source, out = written(tmp_path), tmp_path / "out.c3d"
+    source, out = write_three_gaps(tmp_path), tmp_path / "out.c3d"
     export(source, engine.Changes((), (), kept(source)), out)
     raw = out.read_bytes()
     assert old in raw
@@ -255,7 +236,7 @@ def test_a_damaged_entry_is_a_warning(old: bytes, new: bytes, tmp_path: Path) ->
 
 
 def test_flipped_bits_of_a_record_never_stop_the_reader(tmp_path: Path) -> None:
-    source, out = written(tmp_path), tmp_path / "out.c3d"
+    source, out = write_three_gaps(tmp_path), tmp_path / "out.c3d"
     export(source, replace(repair(source, OTHER), kept_open=kept(source)), out)
     raw = out.read_bytes()
     start = raw.index(NAME)
@@ -269,7 +250,7 @@ def test_flipped_bits_of_a_record_never_stop_the_reader(tmp_path: Path) -> None:
 
 
 def test_gaps_that_are_not_there_are_left_out(tmp_path: Path) -> None:
-    source, out = written(tmp_path), tmp_path / "out.c3d"
+    source, out = write_three_gaps(tmp_path), tmp_path / "out.c3d"
     never, left = kept(source)
     wrong = (
         never,
@@ -287,7 +268,7 @@ def test_gaps_that_are_not_there_are_left_out(tmp_path: Path) -> None:
 
 
 def test_a_gap_that_is_listed_as_repaired_too_is_a_repair(tmp_path: Path) -> None:
-    source, out = written(tmp_path), tmp_path / "out.c3d"
+    source, out = write_three_gaps(tmp_path), tmp_path / "out.c3d"
     filled = repair(source, NEVER)
     save_patched(source, filled.runs, out, repairs=filled.repairs, kept_open=kept(source))
     again = read_c3d(out)

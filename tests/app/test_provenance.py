@@ -12,6 +12,7 @@ import pytest
 from c3d_synthetic import MACHINES, Machine, Synthetic, encode, walk
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from repaired_files import write_three_gaps
 
 from mocapmend import engine
 from mocapmend.files import (
@@ -38,25 +39,8 @@ GAPS = (Gap(0, 10, 14), Gap(0, 20, 21), Gap(2, 10, 14))
 
 
 def written(folder: Path, machine: Machine = "intel", **more: Any) -> C3DFile:
-    """Write a file with three gaps; its second point is a model output."""
-    points = walk()
-    fourth = np.zeros(points.shape[:2])
-    for point, start, stop in ((0, 10, 14), (0, 20, 21), (3, 10, 14)):
-        points[start:stop, point] = 0.0
-        fourth[start:stop, point] = -1.0
-    spec = Synthetic(
-        points,
-        machine,
-        fourth=fourth,
-        first_frame=101,
-        labels=["A", "Angle", "B", "C", "Ψ D"],
-        analog=np.arange(240.0).reshape(40, 2, 3),
-        parameters={"POINT:ANGLES": ["Angle"]},
-        **more,
-    )
-    path = folder / "source.c3d"
-    path.write_bytes(encode(spec))
-    return read_c3d(path)
+    """Write a file with three gaps and analog data."""
+    return write_three_gaps(folder, machine, analog=np.arange(240.0).reshape(40, 2, 3), **more)
 
 
 def repair(source: C3DFile, gaps: tuple[Gap, ...] | None = None) -> engine.Changes:

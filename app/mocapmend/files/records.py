@@ -107,14 +107,7 @@ class RepairRecord(RecordedRun):
         ValueError
             If it is none.
         """
-        if not isinstance(data, dict):
-            raise ValueError("a repair is not an object")
-        wrong = _wrong_key(data, _REPAIR)
-        if wrong is not None:
-            raise ValueError(f"the repair's {wrong!r} is missing or of another kind")
-        values = {key: data[key] for key in _REPAIR}
-        if not all(map(_is_plain, values.values())):
-            raise ValueError("a number or a text of a repair is too large")
+        values = _values(data, _REPAIR, "a repair")
         if not all(isinstance(donor, str) and _is_plain(donor) for donor in values["donors"]):
             raise ValueError("a donor is not a label")
         values["parameters"] = {k: _parameter(v) for k, v in values["parameters"].items()}
@@ -147,15 +140,7 @@ class KeptGap(RecordedRun):
         ValueError
             If it is none.
         """
-        if not isinstance(data, dict):
-            raise ValueError("a gap kept open is not an object")
-        wrong = _wrong_key(data, _KEPT_OPEN)
-        if wrong is not None:
-            raise ValueError(f"{wrong!r} of a gap kept open is missing or of another kind")
-        values = {key: data[key] for key in _KEPT_OPEN}
-        if not all(map(_is_plain, values.values())):
-            raise ValueError("a number or a text of a gap kept open is too large")
-        return cls(**values)
+        return cls(**_values(data, _KEPT_OPEN, "a gap kept open"))
 
 
 def repair_records(data: object) -> tuple[RepairRecord, ...]:
@@ -189,6 +174,19 @@ def _entries(data: object, read: Callable[[object], Entry], without: str) -> tup
     if not isinstance(data, list) or len(data) > MOST_ENTRIES:
         raise ValueError(without)
     return tuple(map(read, data))
+
+
+def _values(data: object, kinds: Kinds, what: str) -> dict[str, Any]:
+    """Return what a JSON object has under some keys; others are left out."""
+    if not isinstance(data, dict):
+        raise ValueError(f"{what} is not an object")
+    wrong = _wrong_key(data, kinds)
+    if wrong is not None:
+        raise ValueError(f"{wrong!r} of {what} is missing or of another kind")
+    values = {key: data[key] for key in kinds}
+    if not all(map(_is_plain, values.values())):
+        raise ValueError(f"a number or a text of {what} is too large")
+    return values
 
 
 def _wrong_key(data: Mapping[str, object], kinds: Kinds) -> str | None:

@@ -4510,8 +4510,8 @@
         <translation>有一处修复不是对象</translation>
     </message>
     <message>
-        <source>the repair&apos;s {0} is missing or of another kind</source>
-        <translation>修复的 {0} 缺失或类型不符</translation>
+        <source>{0} of a repair is missing or of another kind</source>
+        <translation>修补记录中的 {0} 缺失或类型不符</translation>
     </message>
     <message>
         <source>a number or a text of a repair is too large</source>

@@ -250,7 +250,7 @@ WARNINGS = (
     QT_TRANSLATE_NOOP("Sentences", "it does not say which file it belongs to"),
     QT_TRANSLATE_NOOP("Sentences", "it does not say which file was repaired"),
     QT_TRANSLATE_NOOP("Sentences", "a repair is not an object"),
-    QT_TRANSLATE_NOOP("Sentences", "the repair's {0} is missing or of another kind"),
+    QT_TRANSLATE_NOOP("Sentences", "{0} of a repair is missing or of another kind"),
     QT_TRANSLATE_NOOP("Sentences", "a number or a text of a repair is too large"),
     QT_TRANSLATE_NOOP("Sentences", "a gap kept open is not an object"),
     QT_TRANSLATE_NOOP("Sentences", "{0} of a gap kept open is missing or of another kind"),
