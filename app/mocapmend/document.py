@@ -145,9 +145,7 @@ class Document(QObject):
         """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
         self.set_aside = set(self.left_open)
         """Those of them that the user has looked at and left open."""
-        self.never_reasons = {
-            gap: kept.reason for gap, kept in source.kept_open.items() if kept.never
-        }
+        self.never_reasons = source.never_filled
         """Why gaps shall never be filled, where more is known than that."""
         self.names = short_names(source.recording.labels)
         self._samples = WorkingCopy(source.recording.points)

@@ -65,7 +65,7 @@ def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     source = read_recording(path)
     progress(0.5)
     own, complaints = user_templates.load()
-    skeleton = _skeleton(source, own, lambda share: progress(0.5 + 0.5 * share))
+    skeleton = _skeleton(source, own, part(progress, 0.5, 1.0))
     if complaints:
         source = replace(source, warnings=(*source.warnings, *complaints))
     progress(1.0)
@@ -414,7 +414,7 @@ def export(
         kept_open=changes.kept_open,
         replace_source=replace_source,
         accept_truncated=accept_truncated,
-        progress=lambda share: progress(0.3 * share),
+        progress=part(progress, 0.0, 0.3),
         confirm=prove,
     )
     return Exported(saved, *proofs[0])

@@ -19,6 +19,7 @@ from mocapmend.recipe import Recipe, read_recipe
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.progress import part
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ def plan(source: Source, recipe: Recipe) -> Plan:
     twice = (_has_twice([*reopened, *filled]), _has_twice([*freed, *kept]))
     if any(twice) or _overlapping(source, kept, filled):
         raise _does_not_fit(source, "it has two edits of one gap")
-    never = {gap for gap, entry in source.kept_open.items() if entry.never}.difference(freed)
+    never = set(source.never_filled).difference(freed)
     if refused := _overlapping(source, never, filled):
         frames = _frames(recipe.fills[filled.index(refused[0])])
         raise _does_not_fit(source, f"{frames} are never to be filled")
@@ -128,14 +129,8 @@ def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> l
     """
     results = []
     for number, job in enumerate(jobs):
-        share = number / len(jobs)
-        result = fill_anyway(
-            recording,
-            job.gaps,
-            job.method,
-            job.params,
-            lambda done, share=share: progress(share + done / len(jobs)),
-        )
+        share = part(progress, number / len(jobs), (number + 1) / len(jobs))
+        result = fill_anyway(recording, job.gaps, job.method, job.params, share)
         if result.unfilled:
             left = result.unfilled[0]
             raise MocapmendError(

@@ -30,7 +30,7 @@ class States:
         self._states[~present] = SampleState.MISSING
         for gap in source.repaired:
             self._states[gap.start : gap.stop, gap.marker] = SampleState.FILLED
-        for gap in (gap for gap, kept in source.kept_open.items() if kept.never):
+        for gap in source.never_filled:
             self._states[gap.start : gap.stop, gap.marker] = SampleState.NEVER
         markers = range(present.shape[1])
         self._runs = [self._find_runs(marker) for marker in markers]

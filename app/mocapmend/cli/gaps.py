@@ -34,7 +34,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     problems = [Problem(gap, Status.OPEN) for gap in gaps]
     if arguments.rank:
         console.start("Ranking")
-        never = {gap for gap, kept in source.kept_open.items() if kept.never}
+        never = source.never_filled
         rest = [gap for gap in gaps if gap not in never]
         problems = rank(source.measured, rest, console.progress)
         problems += [Problem(gap, Status.NEVER) for gap in sorted(never)]

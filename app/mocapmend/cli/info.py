@@ -2,7 +2,8 @@
 
 import argparse
 import math
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -10,8 +11,11 @@ from mocapmend import engine
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.files import C3DFile, ForcePlate, Layout, Source
+from mocapmend.files.records import RecordedRun
 from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.skeleton import Skeleton
+
+Run = TypeVar("Run", bound=RecordedRun)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,48 +48,47 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
 
 
 def _show_repairs(source: Source, console: Console) -> None:
-    """List the repairs that the file has had, as many as people read."""
-    repairs = source.repairs
-    if not repairs:
-        return
-    console.say("")
-    console.table(
+    """List the repairs that the file has had."""
+    _show_runs(
+        console,
         ("Repaired marker", ">Frames", ">Length", "Method", ">Expected error (mm)"),
-        [
-            (
-                record.marker,
-                common.span(record.first_frame, record.last_frame),
-                str(record.frames),
-                record.method,
-                "" if math.isnan(error := record.expected_error_mm) else f"{error:.1f}",
-            )
-            for record in repairs[: common.MOST_ROWS]
-        ],
+        source.repairs,
+        lambda record: (
+            record.method,
+            "" if math.isnan(error := record.expected_error_mm) else f"{error:.1f}",
+        ),
     )
-    if len(repairs) > common.MOST_ROWS:
-        console.say(f"and {len(repairs) - common.MOST_ROWS} more: --json lists them all.")
 
 
 def _show_kept_open(source: Source, console: Console) -> None:
-    """List the gaps that are kept open, as many as people read."""
-    kept = list(source.kept_open.values())
-    if not kept:
+    """List the gaps that are kept open."""
+    _show_runs(
+        console,
+        ("Kept open", ">Frames", ">Length", "Why"),
+        tuple(source.kept_open.values()),
+        lambda entry: (entry.reason,),
+    )
+
+
+def _show_runs(
+    console: Console,
+    headers: Sequence[str],
+    runs: Sequence[Run],
+    more: Callable[[Run], tuple[str, ...]],
+) -> None:
+    """List runs and what more there is to say of each, as many as people read."""
+    if not runs:
         return
     console.say("")
     console.table(
-        ("Kept open", ">Frames", ">Length", "Why"),
+        headers,
         [
-            (
-                entry.marker,
-                common.span(entry.first_frame, entry.last_frame),
-                str(entry.frames),
-                entry.reason,
-            )
-            for entry in kept[: common.MOST_ROWS]
+            (run.marker, common.span(run.first_frame, run.last_frame), str(run.frames), *more(run))
+            for run in runs[: common.MOST_ROWS]
         ],
     )
-    if len(kept) > common.MOST_ROWS:
-        console.say(f"and {len(kept) - common.MOST_ROWS} more: --json lists them all.")
+    if len(runs) > common.MOST_ROWS:
+        console.say(f"and {len(runs) - common.MOST_ROWS} more: --json lists them all.")
 
 
 def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:

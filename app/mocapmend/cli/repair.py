@@ -229,7 +229,7 @@ def _fill(
 ) -> FillResult:
     """Fill the gaps of the markers that were asked for; account for all others too."""
     recording = source.measured
-    never = {gap: entry for gap, entry in source.kept_open.items() if entry.never}
+    never = source.never_filled
     gaps = [gap for gap in source.open_gaps() if gap not in never]
     wanted = markers.choose(source, labels)
     console.start("Filling")
@@ -242,7 +242,7 @@ def _fill(
         console.progress,
     )
     result = markers.with_the_others(result, gaps, wanted)
-    protected = [Unfilled(gap, entry.reason) for gap, entry in never.items()]
+    protected = [Unfilled(gap, reason) for gap, reason in never.items()]
     unfilled = sorted([*result.unfilled, *protected], key=lambda entry: entry.gap)
     return dataclasses.replace(result, unfilled=tuple(unfilled))
 

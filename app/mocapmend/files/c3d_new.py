@@ -35,7 +35,7 @@ from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import open_file
 from mocapmend.files.source import Event
 from mocapmend.files.space import length_unit
-from mocapmend_algorithms.progress import Progress, no_progress
+from mocapmend_algorithms.progress import Progress, no_progress, part
 from mocapmend_algorithms.recording import Recording
 
 
@@ -91,7 +91,7 @@ def write_new_c3d(
         stream.write(b"\0" * (-stream.tell() % BLOCK))
 
     def verify(copy: Path) -> None:
-        _verify(recording, parameters, copy, lambda share: progress(0.5 + 0.5 * share))
+        _verify(recording, parameters, copy, part(progress, 0.5, 1.0))
 
     write_atomically(out, write, verify)
     notes = list(parameters.notes)

@@ -114,6 +114,11 @@ class Source:
         """The repairs that the file has had; `repaired` has their gaps."""
         return () if self.provenance is None else self.provenance.repairs
 
+    @property
+    def never_filled(self) -> dict[Gap, str]:
+        """The gaps that no repair may fill, with the reasons."""
+        return {gap: kept.reason for gap, kept in self.kept_open.items() if kept.never}
+
     @cached_property
     def measured(self) -> Recording:
         """The recording without earlier repairs: what repairs are computed from."""

@@ -1,6 +1,6 @@
 """The tables of a report as texts. Long ones are cut, and say so."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import isnan
 from typing import ClassVar, Literal
@@ -206,9 +206,9 @@ def _cut(there: int, shown: int, which: str, elsewhere: str) -> str:
     return f"Of {there} rows, the {shown} {which} are shown. {elsewhere}".rstrip() * (shown < there)
 
 
-def filled_by(row: MarkerRow) -> str:
-    """Say which methods filled how much of a marker."""
-    return ", ".join(f"{method} {percent(share)}" for method, share in row.filled_by) or "—"
+def filled_by(row: MarkerRow, name: Callable[[str], str] = str) -> str:
+    """Say which methods filled how much of a marker, in %; a method's id may have another name."""
+    return ", ".join(f"{name(method)} {percent(share)}" for method, share in row.filled_by) or "—"
 
 
 def number(value: float, decimals: int = 1) -> str:

@@ -79,18 +79,21 @@ def find(text: str) -> tuple[str, tuple[str, ...]] | None:
 
 def _shown_part(part: str) -> str:
     """Translate a part that is a sentence itself, or a list of such."""
+    if find(part) is not None:
+        return shown(part)
     pieces = part.split(", ")
     translated = [shown(piece) for piece in pieces]
-    if find(part) is None and translated != pieces:
-        return QCoreApplication.translate("Sentences", SEPARATOR).join(translated)
-    return shown(part)
+    if translated == pieces:
+        return part
+    return QCoreApplication.translate("Sentences", SEPARATOR).join(translated)
 
 
 @cache
 def _templates() -> tuple[tuple[str, str, str], ...]:
     """Return all sentences, the most fixed first, with what comes before and after all places."""
     fixed = sorted(SENTENCES, key=lambda text: len(_PLACE.sub("", text)), reverse=True)
-    return tuple((text, _PLACE.split(text)[0], _PLACE.split(text)[-1]) for text in fixed)
+    pieces = [_PLACE.split(text) for text in fixed]
+    return tuple((text, some[0], some[-1]) for text, some in zip(fixed, pieces, strict=True))
 
 
 @cache

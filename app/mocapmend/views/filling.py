@@ -162,17 +162,17 @@ class Filling(QObject):
         for gap in self._document.never:
             reasons.pop(gap, None)
         self._document.leave_open(reasons)
-        revision, left = self._document.revision, len(result.unfilled)
+        self._soon(partial(self._prepare, way, limits, result, self._document.revision))
 
-        def make(edits: list[Edit]) -> None:
-            if self._document.revision == revision:
-                self._make(edits, left, way)
-            else:
-                self._accept(way, limits)
+    def _prepare(self, way: Way, limits: Limits, result: FillResult, revision: int) -> None:
+        edits, left = Edit.fills(result, *way), len(result.unfilled)
+        self._soon(partial(self._make, way, limits, edits, left, revision))
 
-        self._soon(lambda: self._soon(partial(make, Edit.fills(result, *way))))
-
-    def _make(self, edits: list[Edit], left: int, way: Way) -> None:
+    def _make(self, way: Way, limits: Limits, edits: list[Edit], left: int, revision: int) -> None:
+        """Make the edits, or plan them anew if the recording was edited since."""
+        if self._document.revision != revision:
+            self._accept(way, limits)
+            return
         filled = len(edits)
         if filled:
             self._push(edits, f"fill {filled} gaps ({way.method})")

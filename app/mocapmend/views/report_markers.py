@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QVBoxL
 
 from mocapmend.document import Document
 from mocapmend.report import MarkerRow, Report
-from mocapmend.report.tables import number, percent
+from mocapmend.report.tables import filled_by, number, percent
 from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
@@ -85,7 +85,7 @@ class MarkerReportModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return LEFT if column in TEXTS else RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
-            return _filled_by(row) if column == FILLED_BY else row.label
+            return filled_by(row, method_name) if column == FILLED_BY else row.label
         if role == SORT_ROLE:
             return self._values(index.row(), row)[column]
         return self._text(index.row(), row, column) if role == Qt.ItemDataRole.DisplayRole else None
@@ -103,7 +103,7 @@ class MarkerReportModel(QAbstractTableModel):
             row.longest_after,
             row.filled,
             row.unfilled,
-            _filled_by(row),
+            filled_by(row, method_name),
             # What is unknown is sorted below all that is known: NaN has no order.
             error if error >= 0 else -1.0,
         )
@@ -182,11 +182,3 @@ class MarkersPage(QWidget):
         else:
             self.table.clearSelection()
         self._following = False
-
-
-def _filled_by(row: MarkerRow) -> str:
-    """Say which methods filled how much of a marker, in %."""
-    return (
-        ", ".join(f"{method_name(method)} {percent(share)}" for method, share in row.filled_by)
-        or "—"
-    )
