@@ -1,6 +1,6 @@
 """The one in-memory form of a recording that every algorithm takes."""
 
-from dataclasses import dataclass, replace
+from dataclasses import InitVar, dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -29,6 +29,8 @@ class Recording:
         The axis that points up, as "+z".
     first_frame : int
         Number of the first frame as the file counts it.
+    seen : ndarray of bool, shape (frames, markers), optional
+        What `present` is to return, where it is known already.
 
     Raises
     ------
@@ -42,8 +44,9 @@ class Recording:
     unit: str = "mm"
     up: UpAxis = "+z"
     first_frame: int = 1
+    seen: InitVar[NDArray[np.bool_] | None] = None
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, seen: NDArray[np.bool_] | None) -> None:
         if self.points.ndim != 3 or self.points.shape[2] != 3:
             raise ValueError(f"points must be (frames, markers, 3), not {self.points.shape}")
         if self.points.dtype != np.float64:
@@ -55,6 +58,12 @@ class Recording:
         if self.unit not in MM_PER_UNIT:
             raise ValueError(f"unknown length unit {self.unit!r}")
         self.points.flags.writeable = False
+        if seen is not None:
+            if seen.shape != self.points.shape[:2]:
+                raise ValueError(f"seen must be {self.points.shape[:2]}, not {seen.shape}")
+            seen.flags.writeable = False
+            # Where the cached property looks first.
+            self.__dict__["present"] = seen
 
     @property
     def frames(self) -> int:

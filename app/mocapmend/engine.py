@@ -21,6 +21,7 @@ from mocapmend.files import (
     SampleRun,
     Saved,
     Source,
+    Way,
     check_files,
     patches,
     read_recording,
@@ -49,6 +50,8 @@ from mocapmend_resources import skeletons
 
 Apart = Callable[..., Any]
 """Calls a function with some arguments and a progress elsewhere, and waits for what it returns."""
+FOR_MANY = Way(shared_array, threads=2)
+"""How a file is read that a user waits for, and that workers are to share."""
 READ_BACK = "The file was read back: all samples are as they should be."
 
 
@@ -100,7 +103,7 @@ def load_to_show(path: Path, progress: Progress) -> ToShow:
     MocapmendError
         If it cannot be read.
     """
-    source = read_recording(path, shared_array)
+    source = read_recording(path, FOR_MANY)
     progress(0.8)
     _, complaints = user_templates.load()
     if complaints:

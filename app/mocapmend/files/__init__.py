@@ -5,6 +5,7 @@ from mocapmend.files.c3d_encode import SampleRun
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.c3d_new import write_new_c3d
 from mocapmend.files.c3d_patch import save_patched
+from mocapmend.files.c3d_points import Way
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
 from mocapmend.files.force_plate import ForcePlate
@@ -35,6 +36,7 @@ __all__ = [
     "Saved",
     "Source",
     "Stamp",
+    "Way",
     "check_ending",
     "check_files",
     "patches",

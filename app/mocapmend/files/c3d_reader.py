@@ -1,8 +1,7 @@
 """Reading C3D files: every processor, integers and floats, every way to store 'missing'."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from io import FileIO
 from pathlib import Path
 
 import numpy as np
@@ -19,15 +18,8 @@ from mocapmend.files.c3d_labels import (
     read_events,
 )
 from mocapmend.files.c3d_layout import Layout, read_layout
-from mocapmend.files.c3d_samples import (
-    coordinates,
-    marked_missing,
-    point_words,
-    read_analog_samples,
-    read_blocks,
-    residual_steps,
-    unmarked_missing,
-)
+from mocapmend.files.c3d_points import PLAIN, Points, Way
+from mocapmend.files.c3d_samples import read_analog_samples
 from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import changed_on_disk, open_file, too_large
 from mocapmend.files.provenance import Provenance
@@ -35,9 +27,6 @@ from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source, truncation
 from mocapmend.files.space import length_unit
 from mocapmend_algorithms.recording import Recording
-
-Room = Callable[[tuple[int, ...]], NDArray[np.float64]]
-"""Makes an array of a shape whose values are not set."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -110,15 +99,15 @@ class C3DFile(Source):
 
 
 @np.errstate(all="ignore")
-def read_c3d(path: Path, room: Room = np.empty) -> C3DFile:
+def read_c3d(path: Path, way: Way = PLAIN) -> C3DFile:
     """Read a C3D file.
 
     Parameters
     ----------
     path : Path
         Where it is.
-    room : callable
-        Makes the array of the coordinates, of a given shape.
+    way : Way
+        How its samples are read.
 
     Raises
     ------
@@ -132,10 +121,15 @@ def read_c3d(path: Path, room: Room = np.empty) -> C3DFile:
         labels = point_labels(layout, warnings)
         models = model_points(layout, labels)
         markers = tuple(i for i in range(layout.points) if i not in models)
-        try:
-            points, residuals = _read_points(stream, layout, markers, warnings, room)
-        except MemoryError:
-            raise too_large(str(path)) from None
+    try:
+        points = Points(path, layout, stamp, markers, way)
+    except MemoryError:
+        raise too_large(str(path)) from None
+    if points.unmarked:
+        warnings.append(
+            f"{points.unmarked} samples are exactly (0, 0, 0) or not finite without a mark of "
+            "missing; they are taken as missing."
+        )
     force_plates = read_force_plates(layout, warnings)
     if not (markers and layout.frames):
         warnings.append("The file holds no marker data: there is nothing to repair.")
@@ -145,15 +139,16 @@ def read_c3d(path: Path, room: Room = np.empty) -> C3DFile:
         kind="C3D",
         layout=layout,
         recording=Recording(
-            points,
+            points.coordinates,
             tuple(labels[i] for i in markers),
             layout.rate,
-            unit=length_unit(points, layout.parameters.text("POINT:UNITS"), warnings),
-            up=up_axis(points, layout.parameters, warnings),
+            unit=length_unit(points.coordinates, layout.parameters.text("POINT:UNITS"), warnings),
+            up=up_axis(points.coordinates, layout.parameters, warnings),
             first_frame=layout.first_frame,
+            seen=points.present,
         ),
         marker_points=markers,
-        residuals=residuals,
+        residuals=points.residuals,
         force_plates=force_plates,
         model_outputs=tuple(labels[i] for i in sorted(models)),
         events=read_events(layout),
@@ -187,41 +182,3 @@ def _about_size(layout: Layout) -> Iterator[str]:
     # Up to two blocks may be padding.
     if left > 2 * BLOCK and layout.data_start > layout.parameters_start:
         yield f"{left} bytes follow the last frame; they are kept as they are."
-
-
-def _read_points(
-    stream: FileIO, layout: Layout, markers: tuple[int, ...], warnings: list[str], room: Room
-) -> tuple[NDArray[np.float64], NDArray[np.float32]]:
-    """Read the coordinates, shape (frames, markers, 3), and the residuals."""
-    points = room((layout.frames, len(markers), 3))
-    residuals = np.empty((layout.frames, len(markers)), np.float32)
-    chosen = _index(markers)
-    unmarked = 0
-    for first, block in read_blocks(stream, layout, str(stream.name)) if markers else ():
-        words = point_words(block, layout)[:, chosen]
-        here = points[first : first + len(block)]
-        for axis in range(3):
-            here[..., axis] = coordinates(words, layout, axis)
-        fourth = np.ascontiguousarray(words[..., 3])
-        missing = marked_missing(fourth)
-        more = unmarked_missing(words, missing)
-        unmarked += int(np.count_nonzero(more))
-        missing |= more
-        residual = residuals[first : first + len(block)]
-        np.multiply(residual_steps(fourth), np.float32(layout.scale), out=residual)
-        at = np.flatnonzero(missing)
-        here.reshape(-1, 3)[at] = np.nan
-        residual.reshape(-1)[at] = np.nan
-    if unmarked:
-        warnings.append(
-            f"{unmarked} samples are exactly (0, 0, 0) or not finite without a mark of missing; "
-            "they are taken as missing."
-        )
-    return points, residuals
-
-
-def _index(markers: tuple[int, ...]) -> slice | list[int]:
-    """Index the markers without a copy where they are neighbours."""
-    if markers and markers[-1] - markers[0] == len(markers) - 1:
-        return slice(markers[0], markers[-1] + 1)
-    return list(markers)

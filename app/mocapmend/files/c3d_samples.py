@@ -24,9 +24,9 @@ Words = NDArray[Any]
 
 
 def read_blocks(
-    stream: FileIO, layout: Layout, where: str
+    stream: FileIO, layout: Layout, where: str, start: int = 0, stop: int | None = None
 ) -> Iterator[tuple[int, NDArray[np.uint8]]]:
-    """Yield the frames in blocks.
+    """Yield the frames in blocks: all, or those from `start` up to `stop`.
 
     Yields
     ------
@@ -40,13 +40,14 @@ def read_blocks(
     MocapmendError
         If the file ends early: it was changed since its layout was read.
     """
-    if not layout.frames:
+    stop = layout.frames if stop is None else stop
+    if start == stop:
         return
     step = max(BLOCK_BYTES // layout.frame_bytes, 1)
-    buffer = np.empty((min(step, layout.frames), layout.frame_bytes), np.uint8)
-    stream.seek(layout.data_start)
-    for first in range(0, layout.frames, step):
-        block = buffer[: layout.frames - first]
+    buffer = np.empty((min(step, stop - start), layout.frame_bytes), np.uint8)
+    stream.seek(layout.data_start + start * layout.frame_bytes)
+    for first in range(start, stop, step):
+        block = buffer[: stop - first]
         fill(stream, block, where)
         yield first, block
 

@@ -3174,6 +3174,10 @@
         <translation>文件在读取过程中变短了。</translation>
     </message>
     <message>
+        <source>The file was changed while it was read.</source>
+        <translation>文件在读取过程中被更改了。</translation>
+    </message>
+    <message>
         <source>Open it again.</source>
         <translation>请重新打开。</translation>
     </message>

@@ -142,7 +142,7 @@ def _opening(trial: Trial) -> Iterable[Row]:
     # The first round has filled the system's cache of files.
     reading, sharing, ours = zip(*runs[1:], strict=True)
     alone = "reading alone"
-    shared = ("the same, into memory that workers share", "seconds", "")
+    shared = ("the same as the window does it: by threads, into shared memory", "seconds", "")
     opened = ("open to the first paint of the recording", "seconds", "<= 1.5")
     first, *rest = held_against(alone, "s", (shared,), sharing, reading)
     yield replace(first, what=f"{alone}, in a fresh process")

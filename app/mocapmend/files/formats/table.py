@@ -4,9 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
-from mocapmend.files.c3d_reader import Room, read_c3d
+from mocapmend.files.c3d_points import PLAIN, Way
+from mocapmend.files.c3d_reader import read_c3d
 from mocapmend.files.formats.amc import read_amc
 from mocapmend.files.formats.bvh import read_bvh
 from mocapmend.files.formats.delimited import read_delimited
@@ -45,16 +44,15 @@ FORMATS: tuple[Format, ...] = (
 )
 
 
-def read_recording(path: Path, room: Room = np.empty) -> Source:
+def read_recording(path: Path, way: Way = PLAIN) -> Source:
     """Read a recording of any format, by the ending of its name; others are taken for C3D.
 
     Parameters
     ----------
     path : Path
         Where it is.
-    room : callable
-        Makes the array of the coordinates of a C3D file, of a given shape; other formats, whose
-        files are smaller and slower to read, make their own.
+    way : Way
+        How a C3D file is read; files of other formats are smaller and slower to read.
 
     Raises
     ------
@@ -65,5 +63,5 @@ def read_recording(path: Path, room: Room = np.empty) -> Source:
     suffix = path.suffix.lower()
     found = next((item for item in FORMATS if suffix in item.suffixes), FORMATS[0])
     if found is FORMATS[0]:
-        return read_c3d(path, room)
+        return read_c3d(path, way)
     return with_repairs(found.read(path))

@@ -54,6 +54,7 @@ ERRORS = (
     QT_TRANSLATE_NOOP("Sentences", "The original is not there any more; saving copies its bytes."),
     QT_TRANSLATE_NOOP("Sentences", "Put it back under this name, then save again."),
     QT_TRANSLATE_NOOP("Sentences", "The file became shorter while it was read."),
+    QT_TRANSLATE_NOOP("Sentences", "The file was changed while it was read."),
     QT_TRANSLATE_NOOP("Sentences", "Open it again."),
     QT_TRANSLATE_NOOP(
         "Sentences",
