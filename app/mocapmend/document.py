@@ -192,6 +192,16 @@ class Document(QObject):
         """The gaps that are open now, by marker and start; not to be changed."""
         return self._states.gaps
 
+    @property
+    def fillable(self) -> list[Gap]:
+        """The open gaps of markers that are seen at all, by marker and start; not to be changed."""
+        return self._states.fillable[0]
+
+    @property
+    def fillable_corners(self) -> NDArray[np.int64]:
+        """Marker, start and stop of these gaps, shape (gaps, 3); not to be changed."""
+        return self._states.fillable[1]
+
     def gaps_of(self, marker: int) -> list[Gap]:
         """Return the open gaps of one marker, by start."""
         return self._states.gaps_of(marker)

@@ -3,6 +3,9 @@
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.limits import default_frames
 
@@ -70,20 +73,29 @@ def neighbour_frame(ordered: Sequence[int], frame: int, step: int) -> int | None
     return ordered[bisect_left(ordered, frame) - 1]
 
 
-def place_to_begin(recording: Recording, gaps: Iterable[Gap]) -> Gap | None:
+def place_to_begin(recording: Recording, corners: NDArray[np.int64]) -> Gap | None:
     """Return the longest of the short gaps, in a frame and of a marker that show something.
 
     Fragments of trajectories and frames without a body are no place to begin.
+
+    Parameters
+    ----------
+    recording : Recording
+        What is shown.
+    corners : ndarray, shape (gaps, 3)
+        Marker, start and stop of its gaps.
     """
-    longest = default_frames(recording.rate)
-    short = (
-        gap for gap in gaps if gap.length <= longest and gap.kind(recording.frames) == "interior"
-    )
-    fit = (
+    marker, start, stop = corners.T
+    length = stop - start
+    fit = (length <= default_frames(recording.rate)) & (start > 0) & (stop < recording.frames)
+    places = np.flatnonzero(fit)
+    order = np.lexsort((marker[places], start[places], -length[places]))
+    ordered = (Gap(*corners[place].tolist()) for place in places[order].tolist())
+    good = (
         gap
-        for gap in sorted(short, key=lambda gap: (-gap.length, gap.start, gap.marker))
+        for gap in ordered
         if not recording.labels[gap.marker].startswith("*")
         and recording.present[:, gap.marker].mean() > 0.5
         and recording.present[gap.start].mean() > 0.5
     )
-    return next(fit, None)
+    return next(good, None)

@@ -43,15 +43,15 @@ class ProblemList:
 
     def take(self) -> None:
         """List the gaps anew: edits have changed them, or what has become of them."""
-        document, frames = self._document, self._document.original.frames
-        open_gaps = [gap for gap in document.gaps if gap.length < frames]
+        document, open_gaps = self._document, self._document.fillable
         # A copy: it is asked for until the list is taken anew.
         self._repairs = repairs = dict(document.repairs)
         never = document.never
         self._open = len(open_gaps)
         self.gaps = [*open_gaps, *repairs, *never]
-        corners = np.array([(gap.marker, gap.start, gap.stop) for gap in self.gaps], np.int64)
-        self.marker, self.start, stop = corners.reshape(-1, 3).T
+        others = [(gap.marker, gap.start, gap.stop) for gap in self.gaps[self._open :]]
+        corners = np.array(others, np.int64).reshape(-1, 3)
+        self.marker, self.start, stop = np.concatenate((document.fillable_corners, corners)).T
         self.length = stop - self.start
         kinds, counts = (
             (Status.OPEN, Status.REPAIRED, Status.NEVER),
@@ -68,7 +68,6 @@ class ProblemList:
             repair.patch.expected_error for repair in repairs.values()
         ]
         self.tried = self.status >= Status.REPAIRED
-        self._place_of: dict[Gap, int] | None = None
         self.learn()
 
     def learn(self) -> None:
@@ -83,9 +82,10 @@ class ProblemList:
 
     def place_of(self, gap: Gap) -> int | None:
         """Return the place of a gap."""
-        if self._place_of is None:
-            self._place_of = {each: place for place, each in enumerate(self.gaps)}
-        return self._place_of.get(gap)
+        same = (self.marker == gap.marker) & (self.start == gap.start)
+        same &= self.length == gap.length
+        places = np.flatnonzero(same)
+        return int(places[0]) if len(places) else None
 
     def problem(self, place: int) -> Problem:
         """Return what is at a place."""

@@ -10,6 +10,8 @@ from mocapmend.files import Source
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap
 
+NO_RUNS = np.empty((0, 2), np.int64)
+
 
 class States:
     """What is known of every sample of a document.
@@ -27,7 +29,9 @@ class States:
         present = source.recording.present
         # Trajectories are what is looked through: in memory each is one piece.
         self._states = np.full(present.shape, SampleState.MEASURED, np.uint8, order="F")
-        self._states[~present] = SampleState.MISSING
+        self._states[np.divmod(_places(~present.reshape(-1)), max(1, present.shape[1]))] = (
+            SampleState.MISSING
+        )
         for gap in source.repaired:
             self._states[gap.start : gap.stop, gap.marker] = SampleState.FILLED
         for gap in source.never_filled:
@@ -36,7 +40,8 @@ class States:
         self._runs = [self._find_runs(marker) for marker in markers]
         self._gaps = [self.as_gaps(marker, SampleState.MISSING) for marker in markers]
         self._all_gaps: list[Gap] | None = None
-        _ = self.gaps
+        self._fillable: tuple[list[Gap], NDArray[np.int64]] | None = None
+        _ = self.gaps, self.fillable
 
     @property
     def array(self) -> NDArray[np.uint8]:
@@ -51,6 +56,21 @@ class States:
         if self._all_gaps is None:
             self._all_gaps = [gap for of_marker in self._gaps for gap in of_marker]
         return self._all_gaps
+
+    @property
+    def fillable(self) -> tuple[list[Gap], NDArray[np.int64]]:
+        """The open gaps of markers that are seen at all, and the same as an array.
+
+        Returns
+        -------
+        gaps : list of Gap
+            By marker and start; not to be changed.
+        corners : ndarray, shape (gaps, 3)
+            Marker, start and stop of each.
+        """
+        if self._fillable is None:
+            self._fillable = self._find_fillable()
+        return self._fillable
 
     def gaps_of(self, marker: int) -> list[Gap]:
         """Return the open gaps of one marker, by start; not to be changed."""
@@ -80,7 +100,15 @@ class States:
         for marker in markers:
             self._runs[marker] = self._find_runs(marker)
             self._gaps[marker] = self.as_gaps(marker, SampleState.MISSING)
-        self._all_gaps = None
+        self._all_gaps = self._fillable = None
+
+    def _find_fillable(self) -> tuple[list[Gap], NDArray[np.int64]]:
+        frames, gaps = len(self._states), self._gaps
+        seen = [marker for marker, of in enumerate(gaps) if not of or of[0].length < frames]
+        of_gaps = np.repeat(np.array(seen, np.intp), [len(gaps[marker]) for marker in seen])
+        spans = [NO_RUNS, *(self._runs[marker][SampleState.MISSING] for marker in seen)]
+        corners = np.column_stack((of_gaps, np.concatenate(spans)))
+        return [gap for marker in seen for gap in gaps[marker]], corners
 
     def _find_runs(self, marker: int) -> dict[SampleState, NDArray[np.int64]]:
         states = self._states[:, marker]

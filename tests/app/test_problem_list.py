@@ -86,3 +86,15 @@ def test_only_what_is_asked_for_passes(document: Document) -> None:
     assert passing({0}, ALL, 0.0, 100.0) == {SHORT, LATE}
     assert passing({0, 1}, ALL, 1.0, 2.0) == {SHORT}
     assert passing({0, 1}, frozenset({Status.LEFT}), 0.0, 100.0) == set()
+
+
+def test_what_can_be_filled_is_what_is_open_of_markers_that_are_seen(document: Document) -> None:
+    def corners() -> list[Gap]:
+        return [Gap(*corner) for corner in document.fillable_corners.tolist()]
+
+    assert document.fillable == corners() == [SHORT, LATE, LONG]
+    edit(document, Edit.fill(patch(SHORT, 2.0), *WAY), Edit.clear(LONG, SampleState.NEVER))
+    assert document.fillable == corners() == [LATE]
+    assert document.gaps == [LATE, WHOLE]
+    document.undo_stack.undo()
+    assert document.fillable == corners() == [SHORT, LATE, LONG]

@@ -71,17 +71,12 @@ class Filling(QObject):
         if self.job is not None:
             self.job.abandon()
 
-    def gaps(self) -> list[Gap]:
-        """Return the gaps that can be repaired at all."""
-        frames = self._document.original.frames
-        return [gap for gap in self._document.gaps if gap.length < frames]
-
     def planned(self, way: Way, limits: Limits) -> tuple[FillResult, list[Gap]]:
         """Return what filling all gaps would do, and the gaps of which that is not known yet.
 
         Those that shall never be filled are among the ones that stay open.
         """
-        every = self.gaps()
+        every = self._document.fillable
         known, unknown = self._prospects.result(way, every)
         too_long = {e.gap for e in self._held(way, limits, unknown, FillResult(())).unfilled}
         missing = [gap for gap in unknown if gap not in too_long]

@@ -272,8 +272,7 @@ class RepairPanel(QScrollArea):
 
     def _gap_text(self, gap: Gap | None) -> str:
         if gap is None:
-            count = sum(1 for g in self._document.gaps if g.length < self._document.original.frames)
-            return self.tr("{0} open gaps").format(count)
+            return self.tr("{0} open gaps").format(len(self._document.fillable))
         original = self._document.original
         places = {
             "interior": "",

@@ -71,16 +71,13 @@ class Survey(QObject):
 
     def progress(self) -> tuple[int, int]:
         """Return how many of the open gaps have been tried, and how many there are."""
-        self._list()
-        tried = self._prospects.errors
-        return sum(gap in tried for gap in self._gaps) if tried else 0, len(self._gaps)
+        tried, gaps = self._prospects.errors, self._document.fillable
+        return sum(gap in tried for gap in gaps) if tried else 0, len(gaps)
 
     def _list(self) -> None:
         """List the gaps anew where they have changed."""
         if self._listed != self._document.revision:
-            frames = self._document.original.frames
-            gaps = [gap for gap in self._document.gaps if gap.length < frames]
-            self._gaps = sorted(gaps, key=lambda gap: -gap.length)
+            self._gaps = sorted(self._document.fillable, key=lambda gap: -gap.length)
             self._listed = self._document.revision
 
     def _go_on(self) -> None:

@@ -169,6 +169,9 @@ class Workspace(PanedWindow):
 
     def _paint_again(self) -> None:
         self.setUpdatesEnabled(True)
+        if self._begin_timer.isActive():
+            # The first picture is still to come.
+            self._begin_timer.start()
 
     def _rest_from(self, changed: tuple[Gap, ...]) -> None:
         if len(changed) > MANY_RUNS:
@@ -311,7 +314,7 @@ class Workspace(PanedWindow):
     def _show_first_gap(self) -> None:
         """Begin at a gap, with the whole recording in view."""
         original = self.document.original
-        self._first = place_to_begin(original, self.document.gaps)
+        self._first = place_to_begin(original, self.document.fillable_corners)
         if self._first is not None:
             self._show_gap(self._first)
         elif original.markers:
