@@ -1,8 +1,7 @@
 """Missing runs of a marker."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +9,7 @@ from numpy.typing import NDArray
 GapKind = Literal["interior", "leading", "trailing", "whole"]
 
 
-@dataclass(frozen=True, order=True)
-class Gap:
+class Gap(NamedTuple):
     """A maximal run of missing frames of one marker: frames start to stop - 1, counted from 0."""
 
     marker: int

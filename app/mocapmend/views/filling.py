@@ -7,6 +7,7 @@ from functools import partial
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend import engine
+from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.jobs import Job, Jobs
 from mocapmend.prospects import Prospects, Way
@@ -16,14 +17,17 @@ from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits, hold_to
 from mocapmend_algorithms.fill.registry import METHODS
 
+Stand = tuple[int, int]
+"""What an edit changes: the document's revision and the place in its history."""
+
 
 class Filling(QObject):
     """Fills the gaps of a document that a way can fill within limits.
 
     Parameters
     ----------
-    push : callable
-        Makes edits, in one undoable step of a given text.
+    do : callable
+        Does an undo command.
 
     Signals
     -------
@@ -48,7 +52,7 @@ class Filling(QObject):
         prospects: Prospects,
         survey: Survey,
         jobs: Jobs,
-        push: Callable[[list[Edit], str], None],
+        do: Callable[[EditSamples], None],
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -56,7 +60,7 @@ class Filling(QObject):
         self._prospects = prospects
         self._survey = survey
         self._jobs = jobs
-        self._push = push
+        self._do = do
         self._ranking = False
         self._then: Callable[[], None] | None = None
         self._later = QTimer(self)
@@ -157,22 +161,41 @@ class Filling(QObject):
         for gap in self._document.never:
             reasons.pop(gap, None)
         self._document.leave_open(reasons)
-        self._soon(partial(self._prepare, way, limits, result, self._document.revision))
+        again = partial(self._accept, way, limits)
+        self._soon(partial(self._prepare, way, result, again, self._stand()))
 
-    def _prepare(self, way: Way, limits: Limits, result: FillResult, revision: int) -> None:
+    def _prepare(
+        self, way: Way, result: FillResult, again: Callable[[], None], stand: Stand
+    ) -> None:
         edits, left = Edit.fills(result, *way), len(result.unfilled)
-        self._soon(partial(self._make, way, limits, edits, left, revision))
+        text = f"fill {len(edits)} gaps ({way.method})"
+        self._soon(partial(self._note, edits, text, left, again, stand))
 
-    def _make(self, way: Way, limits: Limits, edits: list[Edit], left: int, revision: int) -> None:
-        """Make the edits, or plan them anew if the recording was edited since."""
-        if self._document.revision != revision:
-            self._accept(way, limits)
+    def _note(
+        self, edits: list[Edit], text: str, left: int, again: Callable[[], None], stand: Stand
+    ) -> None:
+        """Take note of what was there before."""
+        if self._stand() != stand:
+            again()
             return
-        filled = len(edits)
+        command = EditSamples(self._document, edits, text)
+        self._soon(partial(self._make, command, left, again, stand))
+
+    def _make(
+        self, command: EditSamples, left: int, again: Callable[[], None], stand: Stand
+    ) -> None:
+        """Make the edits, or plan them anew if the recording was edited since."""
+        if self._stand() != stand:
+            again()
+            return
+        filled = len(command.edits)
         if filled:
-            self._push(edits, f"fill {filled} gaps ({way.method})")
+            self._do(command)
         self.message.emit(self.tr("{0} gaps filled, {1} left open.").format(filled, left))
         self.done.emit(filled, left)
+
+    def _stand(self) -> Stand:
+        return self._document.revision, self._document.undo_stack.index()
 
     def _held(self, way: Way, limits: Limits, gaps: list[Gap], known: FillResult) -> FillResult:
         method = METHODS[way.method]

@@ -89,7 +89,7 @@ class Workspace(PanedWindow):
         self.prospects = Prospects()
         self.survey = Survey(document, self.prospects, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
-        self.filling = Filling(document, self.prospects, self.survey, jobs, self.push, self)
+        self.filling = Filling(document, self.prospects, self.survey, jobs, self.do, self)
         self.scene = Scene(document, self.view, theme)
         self.scene.set_trail_seconds(settings.get(TRAIL_SECONDS))
         self.plots = PlotPane(document, self.view, settings, theme, actions)
@@ -303,8 +303,11 @@ class Workspace(PanedWindow):
 
     def push(self, edits: list[Edit], text: str) -> None:
         """Make edits, in one undoable step."""
-        command = EditSamples(self.document, edits, text)
-        self.recorder.push(text, edits)
+        self.do(EditSamples(self.document, edits, text))
+
+    def do(self, command: EditSamples) -> None:
+        """Do an undo command."""
+        self.recorder.push(command.text(), command.edits)
         self.document.undo_stack.push(command)
 
     def _look_at_journal(self) -> None:
