@@ -23,8 +23,9 @@ from mocapmend.views.engine_texts import shown
 from mocapmend.views.tables import frames_text
 from mocapmend_algorithms import Gap
 
-CHARACTERS = 46
+CHARACTERS = 60
 """Width of the field."""
+SPACING = 2
 _MOVES = {Qt.Key.Key_Up, Qt.Key.Key_Down}
 
 
@@ -79,19 +80,21 @@ class ReasonDialog(QDialog):
         return True
 
     def _about(self, gaps: Mapping[Gap, str | None]) -> str:
+        """Say which gaps are asked about, and what becomes of them."""
         if len(gaps) == 1:
             (gap,) = gaps
+            text = self.tr("{0}, frame {1}") if gap.length == 1 else self.tr("{0}, frames {1}")
             frames = frames_text(gap, self._document.original.first_frame)
-            text = self.tr("{0}, frames {1}").format(self._document.names[gap.marker], frames)
+            text = text.format(self._document.names[gap.marker], frames)
         else:
             text = self.tr("{0} gaps").format(len(gaps))
-        if all(gap in self._document.never_of(gap.marker) for gap in gaps):
-            state = self.tr("never to be filled")
-        elif None in gaps.values():
-            state = self.tr("left open from now on")
+        if None in gaps.values():
+            state = self.tr("Left open from now on, for this reason:")
+        elif all(gap in self._document.never_of(gap.marker) for gap in gaps):
+            state = self.tr("Never to be filled, for this reason:")
         else:
-            state = self.tr("kept open")
-        return f"{text}: {state}"
+            state = self.tr("Kept open, for this reason:")
+        return f"{text}\n{state}"
 
     def _make_field(self) -> QLineEdit:
         field = QLineEdit()
@@ -101,8 +104,10 @@ class ReasonDialog(QDialog):
         field.setClearButtonEnabled(True)
         field.setMinimumWidth(CHARACTERS * field.fontMetrics().averageCharWidth())
         if len(self._known) == 1:
-            field.setText(shown(self._known[0]))
-            field.selectAll()
+            text = shown(self._known[0])
+            field.setText(text)
+            # From its end: what is seen of a long one is how it begins.
+            field.setSelection(len(text), -len(text))
         field.installEventFilter(self)
         return field
 
@@ -113,9 +118,11 @@ class ReasonDialog(QDialog):
             usual.addItem(QListWidgetItem(text))
         usual.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         usual.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        rows = sum(usual.sizeHintForRow(row) for row in range(usual.count()))
+        usual.setSpacing(SPACING)
+        rows = sum(usual.sizeHintForRow(row) + 2 * SPACING for row in range(usual.count()))
         usual.setFixedHeight(rows + 2 * usual.frameWidth())
         usual.currentTextChanged.connect(self.field.setText)
+        self.field.textEdited.connect(usual.clearSelection)
         usual.itemClicked.connect(lambda item: self.field.setText(item.text()))
         usual.itemDoubleClicked.connect(self._give)
         return usual
