@@ -134,6 +134,12 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "never_fill", "Gaps", QT_TRANSLATE_NOOP("Actions", "Never fill this gap"), ("Shift+X",)
     ),
     ActionSpec(
+        "explain_gap",
+        "Gaps",
+        QT_TRANSLATE_NOOP("Actions", "Say why this gap stays open…"),
+        ("Alt+X",),
+    ),
+    ActionSpec(
         "widen",
         "Gaps",
         QT_TRANSLATE_NOOP("Actions", "Cut a frame off both edges of the gap"),

@@ -2,14 +2,16 @@
 
 from collections.abc import Sequence
 
+import numpy as np
 from PySide6.QtGui import QUndoCommand
 
 from mocapmend.document import Document, Edit
+from mocapmend.state import ABSENT
 from mocapmend.written import places_of
 
 
 class EditSamples(QUndoCommand):
-    """One undoable step that writes any number of runs.
+    """One undoable step that writes any number of runs: samples, or why they stay missing.
 
     Parameters
     ----------
@@ -19,6 +21,11 @@ class EditSamples(QUndoCommand):
         What the runs shall hold.
     text : str
         What the user reads in the menu and in the history.
+
+    Attributes
+    ----------
+    cleared : int
+        Samples that it sets missing.
     """
 
     def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
@@ -30,6 +37,9 @@ class EditSamples(QUndoCommand):
         # Of ten thousand runs the edits are not made before they are needed.
         self._read = document.read_runs(runs, self._places)
         self._before: tuple[Edit, ...] = ()
+        there = ~np.isin(document.state[self._places], ABSENT)
+        goes = np.isin(np.concatenate([edit.states for edit in edits]), ABSENT)
+        self.cleared = int(np.count_nonzero(there & goes))
 
     @property
     def edits(self) -> tuple[Edit, ...]:

@@ -50,7 +50,7 @@ class Repair(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Edit:
-    """The samples that a run of one marker shall have (or had).
+    """What a run of one marker shall hold (or held): its samples, and why they may be missing.
 
     Attributes
     ----------
@@ -62,12 +62,16 @@ class Edit:
         `SampleState` values.
     repair : Repair or None
         Set when the run is the fill of a gap.
+    reason : str or None
+        Set when the run is a gap that the user keeps open: why. A gap that shall never be filled
+        is kept so without one too.
     """
 
     gap: Gap
     values: NDArray[np.float64]
     states: NDArray[np.uint8]
     repair: Repair | None = None
+    reason: str | None = None
 
     @classmethod
     def fill(
@@ -93,10 +97,12 @@ class Edit:
         ]
 
     @classmethod
-    def clear(cls, gap: Gap, state: SampleState = SampleState.MISSING) -> "Edit":
-        """Make the edit that marks a run as missing, or as never to be filled."""
+    def clear(
+        cls, gap: Gap, state: SampleState = SampleState.MISSING, reason: str | None = None
+    ) -> "Edit":
+        """Make the edit that marks a run as missing, or as never to be filled, for a reason."""
         states = np.full(gap.length, state, np.uint8)
-        return cls(gap, np.full((gap.length, 3), np.nan), states)
+        return cls(gap, np.full((gap.length, 3), np.nan), states, reason=reason)
 
 
 class Document(QObject):
@@ -105,8 +111,9 @@ class Document(QObject):
     Repairs that the file had when it was opened are repairs here too: they can be reverted. So do
     gaps that it keeps open stay so, until they are freed.
 
-    Samples change only through `apply`, which undo commands call; every change raises `revision`
-    and is announced by `samples_changed` with the tuple of changed runs.
+    Samples, and why the user keeps gaps open, change only through `apply`, which undo commands
+    call. Every change of samples raises `revision` and is announced by `samples_changed` with the
+    tuple of changed runs; where only reasons change, `left_open_changed` says so.
 
     Parameters
     ----------
@@ -139,14 +146,10 @@ class Document(QObject):
         self.original = source.measured
         self._earlier = dict(_earlier_repairs(source))
         self.repairs = dict(self._earlier)
-        self.left_open = {
-            gap: kept.reason for gap, kept in source.kept_open.items() if not kept.never
-        }
-        """Open gaps that shall stay so, with the reasons; no edit, as no sample depends on it."""
-        self.set_aside = set(self.left_open)
-        """Those of them that the user has looked at and left open."""
-        self.never_reasons = source.never_filled
-        """Why gaps shall never be filled, where more is known than that."""
+        self.left_open: dict[Gap, str] = {}
+        """Why fills left gaps open: results, no edits."""
+        self._reasons = {gap: kept.reason for gap, kept in source.kept_open.items()}
+        """Why the user keeps gaps open, those never to be filled among them."""
         self.names = short_names(source.recording.labels)
         self._samples = WorkingCopy(source.recording.points)
         self._states = States(source) if states is None else states
@@ -218,7 +221,18 @@ class Document(QObject):
 
     def never_reason(self, gap: Gap) -> str:
         """Return why a gap shall never be filled."""
-        return self.never_reasons.get(gap, NEVER_FILLED)
+        return self._reasons.get(gap, NEVER_FILLED)
+
+    @property
+    def set_aside(self) -> dict[Gap, str]:
+        """The open gaps that the user has looked at and left so, with the reasons."""
+        # Mostly there are none, and ten thousand gaps to look through.
+        gaps = self.gaps if self._reasons else []
+        return {gap: self._reasons[gap] for gap in gaps if gap in self._reasons}
+
+    def open_reason(self, gap: Gap) -> str | None:
+        """Return why an open gap stays so: the user's reason, else that of a fill."""
+        return self._reasons.get(gap, self.left_open.get(gap))
 
     def gap_near(self, marker: int, frame: float, reach: float = 0.0) -> Gap | None:
         """Return the gap of a marker, open or not, at a frame or nearest within a reach."""
@@ -236,20 +250,9 @@ class Document(QObject):
         return repair is not None and self.repairs.get(gap) is repair
 
     def leave_open(self, reasons: Mapping[Gap, str]) -> None:
-        """Note that gaps stay open, and why."""
+        """Note that a fill left gaps open, and why."""
         self.left_open |= reasons
         self.left_open_changed.emit()
-
-    def put_aside(self, gap: Gap, reason: str) -> None:
-        """Note that the user has looked at a gap and leaves it open."""
-        self.set_aside.add(gap)
-        self.leave_open({gap: reason})
-
-    def take_up(self, gap: Gap) -> None:
-        """Count a gap as open again that was left so."""
-        if self.left_open.pop(gap, None) is not None:
-            self.set_aside.discard(gap)
-            self.left_open_changed.emit()
 
     def runs(self, marker: int, state: SampleState) -> NDArray[np.int64]:
         """Return the (start, stop) runs of a marker in a state, shape (runs, 2)."""
@@ -301,13 +304,16 @@ class Document(QObject):
         """
         values, states = self.points[places], self.state[places]
         repairs = [self.repairs.get(gap) for gap in runs]
+        reasons = [self._reasons.get(gap) for gap in runs]
         return (
-            Edit(gap, values[own], states[own], repair)
-            for gap, own, repair in zip(runs, shares_of(runs), repairs, strict=True)
+            Edit(gap, values[own], states[own], repair, reason)
+            for gap, own, repair, reason in zip(
+                runs, shares_of(runs), repairs, reasons, strict=True
+            )
         )
 
     def apply(self, edits: Sequence[Edit], places: Places) -> None:
-        """Write runs of samples. For undo commands alone.
+        """Write runs of samples, and the reasons of gaps. For undo commands alone.
 
         Parameters
         ----------
@@ -317,8 +323,16 @@ class Document(QObject):
             Where their samples are.
         """
         changed = tuple(edit.gap for edit in edits)
-        self._samples.writable()[places] = np.concatenate([edit.values for edit in edits])
+        for edit in edits:
+            if edit.reason is None:
+                self._reasons.pop(edit.gap, None)
+            else:
+                self._reasons[edit.gap] = edit.reason
         states = np.concatenate([edit.states for edit in edits])
+        if np.array_equal(states, self.state[places]) and np.isin(states, ABSENT).all():
+            self.left_open_changed.emit()
+            return
+        self._samples.writable()[places] = np.concatenate([edit.values for edit in edits])
         self._states.write(places, states, {gap.marker for gap in changed})
         for edit in edits:
             if edit.repair is None:
@@ -343,7 +357,7 @@ class Document(QObject):
             values=self._samples.current[rest],
             repairs=dict(self.repairs),
             never={gap: self.never_reason(gap) for gap in self.never},
-            set_aside={gap: self.left_open[gap] for gap in self.gaps if gap in self.set_aside},
+            set_aside=self.set_aside,
         )
 
     def repair_rows(self) -> list[RepairRow]:

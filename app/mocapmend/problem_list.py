@@ -58,11 +58,11 @@ class ProblemList:
             (self._open, len(repairs), len(never)),
         )
         self.status = np.repeat(np.array(kinds, np.intp), counts)
-        left = document.left_open
-        if left:
+        left, aside = document.left_open, document.set_aside
+        if left or aside:
             of_open = self.status[: self._open]
             of_open[[gap in left for gap in open_gaps]] = Status.BEYOND
-            of_open[[gap in document.set_aside for gap in open_gaps]] = Status.LEFT
+            of_open[[gap in aside for gap in open_gaps]] = Status.LEFT
         self.error = np.full(len(self.gaps), np.nan)
         self.error[self._open : self._open + len(repairs)] = [
             repair.patch.expected_error for repair in repairs.values()
@@ -94,7 +94,7 @@ class ProblemList:
             return Problem(gap, status, reason=document.never_reason(gap), tried=True)
         if status is Status.REPAIRED:
             return Problem(gap, status, _made(gap, self._repairs[gap]), tried=True)
-        best, reason = self._prospects.best(gap), document.left_open.get(gap, "")
+        best, reason = self._prospects.best(gap), document.open_reason(gap) or ""
         return Problem(gap, status, best, reason, bool(self.tried[place]))
 
     def passing(

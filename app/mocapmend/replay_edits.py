@@ -10,9 +10,9 @@ from mocapmend_algorithms.fill.contract import FillResult
 
 
 def replayed(document: Document, planned: Plan, results: Sequence[FillResult]) -> list[Edit]:
-    """Return the edits that a recipe makes of samples.
+    """Return the edits that a recipe makes.
 
-    Gaps that the user has marked as never to be filled stay so, unless the recipe frees them.
+    Gaps that the user has marked as never to be filled stay so, unless the recipe says otherwise.
 
     Parameters
     ----------
@@ -23,8 +23,9 @@ def replayed(document: Document, planned: Plan, results: Sequence[FillResult]) -
     results : sequence of FillResult
         One for each of its jobs.
     """
-    gaps, never = _Gaps(document), set(document.never)
-    freed = never.intersection(map(gaps.now, planned.freed))
+    gaps, aside = _Gaps(document), document.set_aside
+    never = {gap: document.never_reason(gap) for gap in document.never}
+    freed = {*never, *aside}.intersection(map(gaps.now, planned.freed))
     protected = document.state == SampleState.NEVER
     for gap in freed:
         protected[gap.start : gap.stop, gap.marker] = False
@@ -35,27 +36,13 @@ def replayed(document: Document, planned: Plan, results: Sequence[FillResult]) -
         if not protected[edit.gap.start : edit.gap.stop, edit.gap.marker].any()
     ]
     cleared = [*sorted(freed), *(gap for gap in planned.reopened if gap in document.repairs)]
-    kept = [gaps.now(gap) for gap, entry in planned.kept_open.items() if entry.never]
     of_gap = {gap: Edit.clear(gap) for gap in cleared}
-    of_gap |= {gap: Edit.clear(gap, SampleState.NEVER) for gap in kept if gap not in never}
-    return [*of_gap.values(), *fills]
-
-
-def keep_open(document: Document, planned: Plan) -> int:
-    """Leave gaps open as a recipe does, or take them up; return how many they are."""
-    gaps = _Gaps(document)
-    taken = document.set_aside.intersection(map(gaps.now, planned.freed))
-    for gap in taken:
-        document.take_up(gap)
-    left = 0
     for gap, entry in planned.kept_open.items():
         now = gaps.now(gap)
-        if entry.never:
-            document.never_reasons[now] = entry.reason
-        elif now not in document.set_aside:
-            document.put_aside(now, entry.reason)
-            left += 1
-    return len(taken) + left
+        before, state = (never, SampleState.NEVER) if entry.never else (aside, SampleState.MISSING)
+        if before.get(now) != entry.reason:
+            of_gap[now] = Edit.clear(now, state, entry.reason)
+    return [*of_gap.values(), *fills]
 
 
 class _Gaps:

@@ -71,6 +71,8 @@ def of_a_recording(stage: Stage) -> None:
     stage.dialog("replace", lambda: window.files.export(workspace.document.source.path))
     workspace.fill_all()
     wait_until(lambda: workspace.filling.job is None)
+    go_to(stage, workspace.document.gaps[0])
+    stage.dialog("reason", workspace.ask_why_open)
     stage.dialog("left_open", workspace.repair.left_open.click)
     _export_and_check(stage)
 

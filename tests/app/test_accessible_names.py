@@ -24,6 +24,7 @@ from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.palette import Palette
 from mocapmend.views.palette_entries import entries
+from mocapmend.views.reason_dialog import ReasonDialog
 from mocapmend.views.recovery_dialog import RecoveryDialog
 from mocapmend.views.shortcuts_dialog import ShortcutsDialog
 from mocapmend_algorithms import Gap
@@ -89,7 +90,7 @@ def test_the_tour(window: MainWindow) -> None:
     window._tour.end()
 
 
-@pytest.mark.parametrize("kind", ["palette", "shortcuts", "recovery", "left open"])
+@pytest.mark.parametrize("kind", ["palette", "shortcuts", "recovery", "reason", "left open"])
 def test_dialogs(
     open_in: Callable[[Path], MainWindow], gait: Path, tmp_path: Path, kind: str
 ) -> None:
@@ -103,6 +104,8 @@ def test_dialogs(
     elif kind == "recovery":
         subject = Subject.of(document.source)
         dialog = RecoveryDialog(window, [Abandoned(tmp_path / "a.journal", subject, 2, 0.0)])
+    elif kind == "reason":
+        dialog = ReasonDialog(document, {document.gaps[0]: None}, window)
     else:
         unfilled = [Unfilled(Gap(0, 1, 3), "too long")]
         dialog = left_open_dialog(window, document.original, unfilled, lambda _: None)

@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
+from mocapmend.files.records import NEVER_FILLED
 from mocapmend.state import SampleState
 from mocapmend.written import places_of
 from mocapmend_algorithms import Gap, find_gaps
@@ -169,6 +170,86 @@ def test_a_skeleton_that_comes_later_is_announced(document: Document, qtbot: QtB
         later.set_skeleton(document.skeleton)
     assert later.skeleton is document.skeleton
     assert later.found_skeleton is document.skeleton
+
+
+# --- gaps that the user keeps open ------------------------------------------------------------
+
+
+def left(gap: Gap, reason: str | None = "it fell off") -> Edit:
+    return Edit.clear(gap, reason=reason)
+
+
+def test_leaving_a_gap_open_is_an_edit_that_changes_no_sample(
+    document: Document, qtbot: QtBot
+) -> None:
+    gap, stack = interior(document)[0], document.undo_stack
+    shared = document.share()
+    for change in (lambda: stack.push(EditSamples(document, [left(gap)], "left")), stack.undo):
+        said, no = document.left_open_changed, document.samples_changed
+        with qtbot.assertNotEmitted(no), qtbot.waitSignal(said):
+            change()
+    stack.redo()
+    assert document.set_aside == {gap: "it fell off"}
+    assert document.unsaved().set_aside == {gap: "it fell off"}
+    assert not stack.isClean()
+    assert document.revision == 0
+    assert document.share() is shared
+    assert np.shares_memory(document.points, document.original.points)
+    stack.push(EditSamples(document, [left(gap, None)], "take up"))
+    assert document.set_aside == {}
+    stack.undo()
+    assert document.set_aside == {gap: "it fell off"}
+    stack.undo()
+    assert document.set_aside == {}
+    assert stack.isClean()
+
+
+def test_a_reason_of_a_fill_is_there_again_when_the_users_goes(document: Document) -> None:
+    gap, stack = interior(document)[0], document.undo_stack
+    document.leave_open({gap: "too far"})
+    stack.push(EditSamples(document, [left(gap)], "left"))
+    assert document.open_reason(gap) == "it fell off"
+    document.leave_open({gap: "too long"})
+    assert document.open_reason(gap) == "it fell off", "a result does not overrule the user"
+    stack.undo()
+    assert document.open_reason(gap) == "too long"
+    assert document.set_aside == {}
+
+
+def test_a_gap_that_is_never_filled_has_a_reason_of_its_own(document: Document) -> None:
+    gap, stack = interior(document)[0], document.undo_stack
+    reasons = [NEVER_FILLED, "it fell off"]
+    for reason in (None, "it fell off"):
+        edit = Edit.clear(gap, SampleState.NEVER, reason)
+        stack.push(EditSamples(document, [edit], "never"))
+    assert document.revision == 1, "the second step changes the reason alone"
+    assert document.unsaved().never == {gap: reasons[1]}
+    stack.undo()
+    assert document.never_reason(gap) == reasons[0]
+    stack.redo()
+    stack.push(EditSamples(document, [Edit.clear(gap)], "allow"))
+    assert document.open_reason(gap) is None
+    stack.undo()
+    assert document.never_reason(gap) == reasons[1]
+
+
+def test_a_fill_ends_that_a_gap_is_left_open_until_it_is_undone(document: Document) -> None:
+    gap, stack = interior(document)[0], document.undo_stack
+    stack.push(EditSamples(document, [left(gap)], "left"))
+    stack.push(fill(document, gap))
+    stack.push(EditSamples(document, [Edit.clear(gap)], "clear"))
+    assert document.set_aside == {}
+    stack.undo()
+    stack.undo()
+    assert document.set_aside == {gap: "it fell off"}
+
+
+def test_a_step_knows_how_many_samples_it_sets_missing(document: Document) -> None:
+    first, second = interior(document)[:2]
+    document.undo_stack.push(fill(document, first))
+    never = Edit.clear(second, SampleState.NEVER)
+    step = EditSamples(document, [Edit.clear(first), never, left(second)], "many")
+    assert step.cleared == first.length
 
 
 def test_many_runs_are_read_as_one_by_one(document: Document) -> None:

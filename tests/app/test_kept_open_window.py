@@ -80,7 +80,7 @@ def test_from_the_window_to_the_file_and_back(
     workspace = workspace_of(open_in(out))
     document = workspace.document
     assert document.never == [NEVER]
-    assert document.set_aside == {LEFT}
+    assert document.set_aside == {LEFT: LEFT_OPEN}
     assert (document.state[NEVER.start : NEVER.stop, NEVER.marker] == SampleState.NEVER).all()
     assert document.gaps == [OTHER, LEFT]
     assert not window.isWindowModified()
@@ -116,8 +116,9 @@ def test_they_are_taken_off_undone_and_exported_again(
     freed = export(window, tmp_path / "freed.c3d", qtbot)
     assert freed.read_bytes() == walk.read_bytes(), "there is nothing to record"
     document.undo_stack.undo()
+    assert document.set_aside == {LEFT: LEFT_OPEN}
+    document.undo_stack.undo()
     assert document.never == [NEVER]
-    press_x(window, LEFT, qtbot)
     again = export(window, tmp_path / "again.c3d", qtbot)
     assert again.read_bytes() == marked.read_bytes()
 
@@ -180,16 +181,17 @@ def test_a_recipe_of_the_window_gives_the_same_bytes_headless_and_in_the_window(
     assert second.read_bytes() == first.read_bytes()
 
     document.undo_stack.setIndex(0)
-    document.take_up(LEFT)
+    assert document.set_aside == {}
     window.proofs.replay(recipe)
     qtbot.waitUntil(lambda: document.undo_stack.index() == 1, timeout=20_000)
     assert document.never == [NEVER]
-    assert document.set_aside == {LEFT}
+    assert document.set_aside == {LEFT: LEFT_OPEN}
     assert window.statusBar().currentMessage() == "2 edits made again."
     third = export(window, tmp_path / "third.c3d", qtbot)
     assert third.read_bytes() == first.read_bytes()
     document.undo_stack.undo()
     assert NEVER in document.gaps
+    assert document.set_aside == {}, "one step did both"
 
 
 def test_a_recipe_frees_what_the_file_protects(
@@ -202,13 +204,14 @@ def test_a_recipe_frees_what_the_file_protects(
     recipe = tmp_path / "recipe.json"
     unsaved.write_recipe(document.unsaved(), recipe, no_progress)
     document.undo_stack.setIndex(0)
-    document.put_aside(LEFT, LEFT_OPEN)
+    assert document.set_aside == {LEFT: LEFT_OPEN}
     window.proofs.replay(recipe)
     qtbot.waitUntil(lambda: document.undo_stack.index() == 1, timeout=20_000)
     assert document.never == []
-    assert document.set_aside == set()
+    assert document.set_aside == {}
     document.undo_stack.undo()
     assert document.never == [NEVER]
+    assert document.set_aside == {LEFT: LEFT_OPEN}
 
 
 def test_a_replay_leaves_alone_what_the_user_protects(

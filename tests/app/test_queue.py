@@ -105,7 +105,7 @@ def test_gaps_are_left_open_and_taken_up_again(opened: MainWindow, qtbot: QtBot)
     gap = HOLES["interior"]
     workspace.view.go_to(gap)
     qtbot.keyClick(opened, Qt.Key.Key_X)
-    assert workspace.document.left_open == {gap: "left open by hand"}
+    assert workspace.document.set_aside == {gap: "left open by hand"}
     assert workspace.view.gap != gap, "on to the next"
     workspace.queue.model.refresh()
     assert gap not in workspace.queue.model.gaps
@@ -117,7 +117,7 @@ def test_gaps_are_left_open_and_taken_up_again(opened: MainWindow, qtbot: QtBot)
     assert workspace.report_inputs()[4][0].gap == gap
     workspace.view.go_to(gap)
     qtbot.keyClick(opened, Qt.Key.Key_X)
-    assert not workspace.document.left_open
+    assert not workspace.document.set_aside
 
 
 def test_a_protected_gap_is_never_filled_until_it_is_freed(

@@ -13,6 +13,8 @@ LARGEST_FRAME = 2**53
 LONGEST_TEXT = 1000
 NEVER_FILLED = "it is marked as never to be filled"
 LEFT_OPEN = "left open by hand"
+NO_REASON = frozenset({NEVER_FILLED, LEFT_OPEN})
+"""What stands there where the user has given no reason."""
 
 Kinds = Mapping[str, tuple[type, ...]]
 Entry = TypeVar("Entry")

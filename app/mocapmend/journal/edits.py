@@ -43,6 +43,9 @@ def encode(text: str, edits: Sequence[Edit]) -> Record:
         "samples": sum(edit.gap.length for edit in edits),
         "filled": sum(patch.gap.length for patch in patches),
     }
+    # Journals of before have none, and what reads those passes it by.
+    if reasons := {str(k): e.reason for k, e in enumerate(edits) if e.reason is not None}:
+        event["reasons"] = reasons
     data = (
         *_bytes("<i8", [[(edit.gap.marker, edit.gap.start, edit.gap.stop) for edit in edits]]),
         *_bytes("<i4", [fills]),
@@ -100,9 +103,13 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
     _require(bool(np.isin(states, list(SampleState)).all()))
     missing = np.isin(states, ABSENT)
     _require(bool(np.isfinite(values[~missing]).all() and np.isnan(values[missing]).all()))
+    reasons = {int(place): reason for place, reason in event.get("reasons", {}).items()}
+    _require(all(isinstance(reason, str) for reason in reasons.values()))
+    _require(all(0 <= place < count for place in reasons))
     edits = []
     ends, band_ends = np.cumsum(lengths), np.cumsum(lengths * filled)
-    for row, fill, end, band_end in zip(gaps.tolist(), fills, ends, band_ends, strict=True):
+    rows = zip(gaps.tolist(), fills, ends, band_ends, strict=True)
+    for place, (row, fill, end, band_end) in enumerate(rows):
         gap = Gap(*row)
         own, band = slice(end - gap.length, end), slice(band_end - gap.length, band_end)
         repair = None
@@ -110,7 +117,9 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
             name, params, donors = ways[fill]
             patch = Patch(gap, values[own], sigma[band], r90[band])
             repair = Repair(name, params, patch, donors)
-        edits.append(Edit(gap, values[own], states[own], repair))
+        reason = reasons.get(place)
+        _require(reason is None or bool(missing[own].all()))
+        edits.append(Edit(gap, values[own], states[own], repair, reason))
     return text, edits
 
 

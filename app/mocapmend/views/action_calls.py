@@ -72,6 +72,7 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "apply_next": lambda w: w.gap_actions.apply_and_go_on(),
     "leave_open": lambda w: w.gap_actions.leave_open(),
     "never_fill": lambda w: w.gap_actions.never_fill(),
+    "explain_gap": lambda w: w.ask_why_open(),
     "widen": lambda w: w.gap_actions.widen(1),
     "narrow": lambda w: w.gap_actions.widen(-1),
     "plan": lambda w: w.show_plan(),

@@ -3,12 +3,12 @@
 Names of edits and reasons are English, for reports and journals; they are translated where shown.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
 from mocapmend.document import Document, Edit
-from mocapmend.files.records import LEFT_OPEN
+from mocapmend.files.records import LEFT_OPEN, NEVER_FILLED, NO_REASON
 from mocapmend.navigation import in_time_order, neighbour, place
 from mocapmend.state import SampleState
 from mocapmend.trimming import resized, widened
@@ -104,10 +104,12 @@ class GapActions(QObject):
         if gap is None:
             return
         if gap in self._document.set_aside:
-            self._document.take_up(gap)
+            self._push([Edit.clear(gap)], f"take up a gap of {self._name(gap)} again")
             self.message.emit(self.tr("The gap is open again."))
         else:
-            self._document.put_aside(gap, LEFT_OPEN)
+            self._push(
+                [Edit.clear(gap, reason=LEFT_OPEN)], f"leave a gap of {self._name(gap)} open"
+            )
             self.step(1)
 
     def never_fill(self) -> None:
@@ -121,12 +123,59 @@ class GapActions(QObject):
             return
         open_gaps = [gap for gap in gaps if gap in self._document.gaps_of(gap.marker)]
         if open_gaps:
-            edits = [Edit.clear(gap, SampleState.NEVER) for gap in open_gaps]
+            aside = self._document.set_aside
+            given = {gap: reason for gap, reason in aside.items() if reason not in NO_REASON}
+            edits = [Edit.clear(gap, SampleState.NEVER, given.get(gap)) for gap in open_gaps]
             text = f"never fill {len(edits)} gaps"
         else:
             edits = [Edit.clear(gap) for gap in gaps]
             text = f"allow to fill {len(edits)} gaps"
         self._push(edits, text)
+
+    def to_explain(self) -> dict[Gap, str | None]:
+        """Return the gaps that a reason can be given for, with those that they have.
+
+        Among the current gap, or the selection's gaps in the selected time, they are those that
+        are kept open; where none of them is, they are all of them.
+        """
+        document, gaps = self._document, self._chosen()
+        aside = document.set_aside
+        never = {gap for gap in gaps if gap in document.never_of(gap.marker)}
+        kept = [gap for gap in gaps if gap in never or gap in aside]
+        if not gaps:
+            self.message.emit(self.tr("There is no gap here."))
+        return {
+            gap: document.never_reason(gap) if gap in never else aside.get(gap)
+            for gap in kept or gaps
+        }
+
+    def explain(self, gaps: Mapping[Gap, str | None], reason: str) -> None:
+        """Give a reason for keeping gaps open.
+
+        Parameters
+        ----------
+        gaps : mapping of Gap to str or None
+            What `to_explain` returned; open ones are left open from now on.
+        reason : str
+            Why; if it is empty, no more than that.
+        """
+        edits = []
+        for gap, before in gaps.items():
+            if gap in self._document.never_of(gap.marker):
+                edit = Edit.clear(gap, SampleState.NEVER, reason or NEVER_FILLED)
+            elif gap in self._document.gaps_of(gap.marker):
+                edit = Edit.clear(gap, reason=reason or LEFT_OPEN)
+            else:
+                # Filled while the user was asked.
+                continue
+            if edit.reason != before:
+                edits.append(edit)
+        if len(edits) == 1:
+            self._push(edits, f"say why a gap of {self._name(edits[0].gap)} stays open")
+        elif edits:
+            self._push(edits, f"say why {len(edits)} gaps stay open")
+        if list(gaps.values()) == [None]:
+            self.step(1)
 
     def widen(self, frames: int) -> None:
         """Move the ends of the current gap over measured samples, or back."""

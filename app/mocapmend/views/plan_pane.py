@@ -170,6 +170,7 @@ class PlanPane(QWidget):
         self._timer.timeout.connect(self.refresh)
         for signal in (
             document.samples_changed,
+            document.left_open_changed,
             repair.ways_changed,
             repair.limits.changed,
             filling.computed,

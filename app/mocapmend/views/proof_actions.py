@@ -11,7 +11,7 @@ from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
 from mocapmend.plan import Plan, read_plan, write_plan
-from mocapmend.replay_edits import keep_open, replayed
+from mocapmend.replay_edits import replayed
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
 
@@ -183,16 +183,14 @@ class ProofActions(QObject):
             self._window.say(self.tr("The recording was edited meanwhile: replay again."))
             return
         edits = replayed(document, planned, results)
-        made = len(edits) + keep_open(document, planned)
-        if not made:
+        if not edits:
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
-        if edits:
-            workspace.push(edits, f"replay {path.name}")
+        workspace.push(edits, f"replay {path.name}")
         text = self.tr("{0} edits made again.")
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
-        self._window.say(text.format(made))
+        self._window.say(text.format(len(edits)))
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.document import Document
+from mocapmend.files.records import NO_REASON
 from mocapmend.prospects import Preview, Way
 from mocapmend.settings import COMPARE, METHOD, Settings
 from mocapmend.trimming import hidden
@@ -87,6 +88,7 @@ class RepairPanel(QScrollArea):
         view.preview_changed.connect(self._show_gap)
         view.picked.connect(self._pick)
         document.samples_changed.connect(self._show_gap)
+        document.left_open_changed.connect(self._show_gap)
         self._show_gap()
 
     # --- what it asks for --------------------------------------------------------------------
@@ -261,6 +263,7 @@ class RepairPanel(QScrollArea):
             text = self.tr("Press N for the next gap, or click one on the timeline.")
         elif gap in self._document.never_of(gap.marker):
             text = self.tr("<b>Never to be filled.</b> Shift+X makes it a gap again.")
+            text += self._reason_text(self._document.never_reason(gap))
         elif repair is not None:
             text = self.tr("Repaired with <b>{0}</b>").format(method_name(repair.method))
             text += "<br>" + self._error_text(repair.patch) + self._donors_text(repair.donors)
@@ -268,7 +271,14 @@ class RepairPanel(QScrollArea):
             text = self.tr("Computing the preview…")
         else:
             text = self._preview_text(preview)
+            text += self._reason_text(self._document.set_aside.get(gap))
         self._promise.setText(text)
+
+    def _reason_text(self, reason: str | None) -> str:
+        """Return a line about why the user keeps a gap open, where there is more to say."""
+        if reason is None or reason in NO_REASON:
+            return ""
+        return "<br>" + self.tr("Kept open: {0}").format(escape(shown(reason)))
 
     def _gap_text(self, gap: Gap | None) -> str:
         if gap is None:

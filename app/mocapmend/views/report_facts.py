@@ -25,8 +25,8 @@ class ReportFacts:
     def unfilled(self) -> list[Unfilled]:
         """Return the reasons of the gaps that are open still."""
         document = self._document
-        reasons = document.left_open
-        left = [Unfilled(gap, reasons[gap]) for gap in document.gaps if gap in reasons]
+        known = ((gap, document.open_reason(gap)) for gap in document.gaps)
+        left = [Unfilled(gap, reason) for gap, reason in known if reason is not None]
         return left + [Unfilled(gap, document.never_reason(gap)) for gap in document.never]
 
     def about(self) -> About:
@@ -58,12 +58,13 @@ class ReportFacts:
 
     def _edit(self, index: int) -> EditRow:
         command = self._document.undo_stack.command(index)
-        edits = command.edits if isinstance(command, EditSamples) else ()
-        states = np.concatenate([[], *(edit.states for edit in edits)])
+        assert isinstance(command, EditSamples)
+        edits = command.edits
+        states = np.concatenate([edit.states for edit in edits])
         return EditRow(
             text=command.text(),
             markers=len({edit.gap.marker for edit in edits}),
             runs=len(edits),
             filled=int(np.count_nonzero(states == SampleState.FILLED)),
-            cleared=int(np.count_nonzero(states == SampleState.MISSING)),
+            cleared=command.cleared,
         )

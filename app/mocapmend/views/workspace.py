@@ -1,5 +1,6 @@
 """Everything that shows one document: the views around it, and what the user does to it."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +33,7 @@ from mocapmend.views.player import Player
 from mocapmend.views.plot_pane import PlotPane
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.queue_pane import QueuePane
+from mocapmend.views.reason_dialog import ReasonDialog
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_facts import ReportFacts
@@ -274,6 +276,14 @@ class Workspace(PanedWindow):
         elif on:
             self.message.emit(self.tr("Click markers to choose donors; D ends it."))
         self.view.set_picking(on and self.repair.takes_donors)
+
+    def ask_why_open(self) -> None:
+        """Ask why gaps stay open, where the user is; nothing waits for the answer."""
+        gaps = self.gap_actions.to_explain()
+        if gaps:
+            dialog = ReasonDialog(self.document, gaps, self)
+            dialog.given.connect(partial(self.gap_actions.explain, gaps))
+            dialog.open()
 
     def _show_filling(self) -> None:
         self.repair.show_filling(running=self.filling.job is not None)

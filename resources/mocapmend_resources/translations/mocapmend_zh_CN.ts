@@ -84,6 +84,10 @@
         <translation>永不填补此缺失段</translation>
     </message>
     <message>
+        <source>Say why this gap stays open…</source>
+        <translation>说明此缺失段为何不填补…</translation>
+    </message>
+    <message>
         <source>Cut a frame off both edges of the gap</source>
         <translation>缺失段两端各多切除一帧</translation>
     </message>
@@ -2459,6 +2463,49 @@
     </message>
 </context>
 <context>
+    <name>ReasonDialog</name>
+    <message>
+        <source>Why it stays open</source>
+        <translation>为何不填补</translation>
+    </message>
+    <message>
+        <source>{0}, frames {1}</source>
+        <translation>{0}，第 {1} 帧</translation>
+    </message>
+    <message>
+        <source>{0}, frame {1}</source>
+        <translation>{0}，第 {1} 帧</translation>
+    </message>
+    <message>
+        <source>{0} gaps</source>
+        <translation>{0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>Left open from now on, for this reason:</source>
+        <translation>从现在起保留不填补，原因：</translation>
+    </message>
+    <message>
+        <source>Never to be filled, for this reason:</source>
+        <translation>永不填补，原因：</translation>
+    </message>
+    <message>
+        <source>Kept open, for this reason:</source>
+        <translation>保留不填补，原因：</translation>
+    </message>
+    <message>
+        <source>The reason</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Type why, or choose below (↑ ↓)</source>
+        <translation>输入原因，或在下方选择（↑ ↓）</translation>
+    </message>
+    <message>
+        <source>Usual reasons</source>
+        <translation>常见原因</translation>
+    </message>
+</context>
+<context>
     <name>RecentFiles</name>
     <message>
         <source>Looking for recent files</source>
@@ -2631,6 +2678,10 @@
     <message>
         <source>Computing the preview…</source>
         <translation>正在计算预览…</translation>
+    </message>
+    <message>
+        <source>Kept open: {0}</source>
+        <translation>保留不填补：{0}</translation>
     </message>
     <message>
         <source>{0} open gaps</source>
@@ -3786,6 +3837,30 @@
         <translation>“{0}”的大小与其头部所述不符。</translation>
     </message>
     <message>
+        <source>the marker is hidden throughout</source>
+        <translation>标记点全程被遮挡</translation>
+    </message>
+    <message>
+        <source>the marker fell off</source>
+        <translation>标记点脱落</translation>
+    </message>
+    <message>
+        <source>the marker has moved on the body</source>
+        <translation>标记点在身体上移位</translation>
+    </message>
+    <message>
+        <source>it is too long to trust a repair</source>
+        <translation>缺失过长，修复结果不可信</translation>
+    </message>
+    <message>
+        <source>too few markers around it are seen</source>
+        <translation>周围可见的标记点太少</translation>
+    </message>
+    <message>
+        <source>it is not needed for the analysis</source>
+        <translation>分析中不需要</translation>
+    </message>
+    <message>
         <source>fill {0} gaps ({1})</source>
         <translation>填补 {0} 个缺失段 ({1})</translation>
     </message>
@@ -3796,6 +3871,22 @@
     <message>
         <source>clear the repair of {0}</source>
         <translation>清除 {0} 的修复</translation>
+    </message>
+    <message>
+        <source>leave a gap of {0} open</source>
+        <translation>保留 {0} 的一个缺失段不填补</translation>
+    </message>
+    <message>
+        <source>take up a gap of {0} again</source>
+        <translation>恢复 {0} 的一个缺失段</translation>
+    </message>
+    <message>
+        <source>say why a gap of {0} stays open</source>
+        <translation>说明 {0} 的一个缺失段为何不填补</translation>
+    </message>
+    <message>
+        <source>say why {0} gaps stay open</source>
+        <translation>说明 {0} 个缺失段为何不填补</translation>
     </message>
     <message>
         <source>never fill {0} gaps</source>

@@ -48,6 +48,12 @@ def gaps(draw: st.DrawFn) -> Gap:
     return Gap(draw(st.integers(0, MARKERS - 1)), start, draw(st.integers(start + 1, FRAMES)))
 
 
+@st.composite
+def kept_open(draw: st.DrawFn) -> Edit:
+    state = draw(st.sampled_from([SampleState.MISSING, SampleState.NEVER]))
+    return Edit.clear(draw(gaps()), state, draw(st.none() | st.text()))
+
+
 def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
     return (
         one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()
@@ -56,7 +62,7 @@ def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
-    edits=st.lists(st.one_of(fills(), gaps().map(Edit.clear)), min_size=1, max_size=5),
+    edits=st.lists(st.one_of(fills(), kept_open()), min_size=1, max_size=5),
     text=st.text(),
 )
 def test_edits_come_back(small: Document, edits: list[Edit], text: str) -> None:
@@ -67,6 +73,7 @@ def test_edits_come_back(small: Document, edits: list[Edit], text: str) -> None:
     for one, other in zip(edits, again, strict=True):
         assert same_bits(one.values, other.values)
         assert same_bits(one.states, other.states)
+        assert one.reason == other.reason
         assert (one.repair is None) == (other.repair is None)
         if one.repair is not None and other.repair is not None:
             assert one.repair.method == other.repair.method
@@ -111,6 +118,23 @@ def test_the_layout_is_as_in_the_journals_of_before(small: Document) -> None:
     assert encode(text, [edit]) == record_of(ways=[["linear", {"edges": "leave"}, []]])
 
 
+def missing(state: int = SampleState.MISSING, **fields: object) -> Record:
+    """Return the record of one gap."""
+    event, data = record_of(fill=-1, state=state, value=np.nan, filled=0, **fields)
+    return {**event, "ways": [], "filled": 0}, data
+
+
+def test_reasons_are_beside_the_layout_of_before(small: Document) -> None:
+    step = [Edit.clear(Gap(0, 2, 5)), Edit.clear(Gap(0, 2, 5), SampleState.NEVER)]
+    for edit in step:
+        state = int(edit.states[0])
+        assert encode("x", [edit]) == missing(state, step="x")
+        (again,) = decode(*missing(state), small.original)[1]
+        assert again.reason is None
+        said = replace(edit, reason="it fell off")
+        assert encode("x", [said]) == missing(state, step="x", reasons={"0": said.reason})
+
+
 @pytest.mark.parametrize(
     "record",
     [
@@ -150,6 +174,12 @@ def test_the_layout_is_as_in_the_journals_of_before(small: Document) -> None:
         record_of(ways=[["linear", {}, 5]]),
         record_of(ways=[["linear", {}, [5]]]),
         record_of(ways=[3]),
+        record_of(reasons={"0": "of a fill"}),
+        missing(reasons={"1": "of none"}),
+        missing(reasons={"-1": "of none"}),
+        missing(reasons={"first": "of none"}),
+        missing(reasons={"0": 7}),
+        missing(reasons=["a list"]),
         ({"step": "fill"}, b""),
     ],
 )

@@ -17,8 +17,11 @@ from mocapmend.commands import EditSamples
 from mocapmend.document import Document, Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, Stamp, read_recording
+from mocapmend.files.records import NEVER_FILLED
 from mocapmend.journal import Recorder, discard, find_abandoned, resume
 from mocapmend.journal.file import JournalFile
+from mocapmend.journal.history import Subject
+from mocapmend.state import SampleState
 from mocapmend_algorithms import find_gaps, no_progress
 from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.interpolate import ConstantParams, LinearParams
@@ -27,7 +30,11 @@ from mocapmend_algorithms.skeleton import Skeleton
 
 Steps = list[int | str]
 steps_of_a_user = st.lists(
-    st.one_of(st.integers(0, 5), st.sampled_from(["undo", "redo", "all", "export"])), max_size=20
+    st.one_of(
+        st.integers(0, 5),
+        st.sampled_from(["undo", "redo", "all", "export", "leave", "take up", "never"]),
+    ),
+    max_size=20,
 )
 fixture_once = settings(
     max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture]
@@ -64,6 +71,13 @@ class Session:
             stack.setClean()
         elif step == "all":
             self.push([self.fill(place, number) for place in range(6)], f"fill all {number}")
+        elif step == "leave":
+            self.push([Edit.clear(self.gaps[number % 6], reason=f"für {number}")], "leave")
+        elif step == "take up":
+            self.push([Edit.clear(gap) for gap in self.gaps], "take up")
+        elif step == "never":
+            reason = f"for {number}" if number % 2 else None
+            self.push([Edit.clear(self.gaps[number % 6], SampleState.NEVER, reason)], "never")
         elif self.gaps[int(step)] in self.document.repairs:
             self.push([Edit.clear(self.gaps[int(step)])], f"clear {number}")
         else:
@@ -109,6 +123,8 @@ def state_of(document: Document) -> tuple[Any, ...]:
         document.points.tobytes(),
         document.state.tobytes(),
         document.gaps,
+        document.set_aside,
+        {gap: document.never_reason(gap) for gap in document.never},
         repairs,
         texts,
         stack.index(),
@@ -131,6 +147,8 @@ def history_of(document: Document) -> list[tuple[Any, ...]]:
 @given(steps=steps_of_a_user)
 @example(steps=[0, 1, "export", "undo", 2])
 @example(steps=[0, 1, "export", "undo"])
+@example(steps=["leave", "never", "leave", "take up", "undo", 0, "undo"])
+@example(steps=["leave", "export", "undo"])
 def test_a_crash_loses_nothing(source: Source, steps: Steps) -> None:
     with TemporaryDirectory() as folder:
         session = Session(Path(folder), source)
@@ -247,7 +265,7 @@ def test_repairs_that_the_file_had_are_reverted_again(tmp_path: Path, gait: Path
     file.close()
     assert state_of(recovered) == state_of(session.document)
     recovered.undo_stack.setIndex(0)
-    assert state_of(recovered)[:4] == state_of(open_document(source))[:4]
+    assert state_of(recovered)[:6] == state_of(open_document(source))[:6]
 
 
 def test_the_newest_edits_are_offered_first(tmp_path: Path, source: Source) -> None:
@@ -333,6 +351,33 @@ def test_edits_that_do_not_fit_are_refused_as_a_whole(tmp_path: Path, source: So
         resume(session.journal, document)
     assert document.undo_stack.count() == 0
     assert session.journal.read_bytes() == before
+
+
+def test_edits_of_a_journal_from_before_reasons_were_noted(tmp_path: Path, source: Source) -> None:
+    gap = find_gaps(source.recording.present)[1]
+    never = {"step": "never fill 1 gaps", "ways": [], "gaps": 1, "samples": 1, "filled": 0}
+    data = (
+        np.array([gap.marker, gap.start, gap.stop], "<i8"),
+        np.array([-1], "<i4"),
+        np.array([SampleState.NEVER], "u1"),
+        np.full(3, np.nan, "<f8"),
+    )
+    file = JournalFile.create(tmp_path)
+    file.append(Subject.of(source).event())
+    file.append(never, b"".join(part.tobytes() for part in data))
+    file.close()
+    session = Session(tmp_path, source, file.path)
+    document = session.document
+    assert document.unsaved().never == {gap: NEVER_FILLED}
+    assert document.undo_stack.text(0) == "never fill 1 gaps"
+    session.do("leave", 3)
+    session.crash()
+    recovered = open_document(source)
+    again, _ = resume(file.path, recovered)
+    again.close()
+    assert state_of(recovered) == state_of(document)
+    recovered.undo_stack.setIndex(0)
+    assert (recovered.never, recovered.set_aside) == ([], {})
 
 
 HEADER = {

@@ -2,15 +2,30 @@
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
+USUAL = (
+    QT_TRANSLATE_NOOP("Sentences", "the marker is hidden throughout"),
+    QT_TRANSLATE_NOOP("Sentences", "the marker fell off"),
+    QT_TRANSLATE_NOOP("Sentences", "the marker has moved on the body"),
+    QT_TRANSLATE_NOOP("Sentences", "it is too long to trust a repair"),
+    QT_TRANSLATE_NOOP("Sentences", "too few markers around it are seen"),
+    QT_TRANSLATE_NOOP("Sentences", "it is not needed for the analysis"),
+)
+"""Why users keep gaps open."""
+
 REASONS = (
     QT_TRANSLATE_NOOP("Sentences", "fill {0} gaps ({1})"),
     QT_TRANSLATE_NOOP("Sentences", "fill {0} ({1})"),
     QT_TRANSLATE_NOOP("Sentences", "clear the repair of {0}"),
+    QT_TRANSLATE_NOOP("Sentences", "leave a gap of {0} open"),
+    QT_TRANSLATE_NOOP("Sentences", "take up a gap of {0} again"),
+    QT_TRANSLATE_NOOP("Sentences", "say why a gap of {0} stays open"),
+    QT_TRANSLATE_NOOP("Sentences", "say why {0} gaps stay open"),
     QT_TRANSLATE_NOOP("Sentences", "never fill {0} gaps"),
     QT_TRANSLATE_NOOP("Sentences", "allow to fill {0} gaps"),
     QT_TRANSLATE_NOOP("Sentences", "move the ends of a gap of {0}"),
     QT_TRANSLATE_NOOP("Sentences", "replay {0}"),
     QT_TRANSLATE_NOOP("Sentences", "left open by hand"),
+    *USUAL,
     QT_TRANSLATE_NOOP("Sentences", "it is marked as never to be filled"),
     QT_TRANSLATE_NOOP("Sentences", "the preview was cancelled"),
     QT_TRANSLATE_NOOP("Sentences", "the preview failed"),
