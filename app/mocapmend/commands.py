@@ -5,9 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtGui import QUndoCommand
 
-from mocapmend.document import Document, Edit
-from mocapmend.state import ABSENT
-from mocapmend.written import places_of
+from mocapmend.document import Document
+from mocapmend.edits import Contents, Edit
 
 
 class EditSamples(QUndoCommand):
@@ -24,6 +23,8 @@ class EditSamples(QUndoCommand):
 
     Attributes
     ----------
+    edits : tuple of Edit
+        What it writes.
     cleared : int
         Samples that it sets missing.
     """
@@ -31,26 +32,15 @@ class EditSamples(QUndoCommand):
     def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
         super().__init__(text)
         self._document = document
-        self._after = tuple(edits)
-        runs = [edit.gap for edit in edits]
-        self._places = places_of(runs)
-        # Of ten thousand runs the edits are not made before they are needed.
-        self._read = document.read_runs(runs, self._places)
-        self._before: tuple[Edit, ...] = ()
-        there = ~np.isin(document.state[self._places], ABSENT)
-        goes = np.isin(np.concatenate([edit.states for edit in edits]), ABSENT)
-        self.cleared = int(np.count_nonzero(there & goes))
-
-    @property
-    def edits(self) -> tuple[Edit, ...]:
-        """What it writes."""
-        return self._after
+        self.edits = tuple(edits)
+        self._after = Contents.of(self.edits)
+        self._before = document.contents(self._after.gaps, self._after.places)
+        self.cleared = int(np.count_nonzero(self._after.absent & ~self._before.absent))
 
     def redo(self) -> None:
         """Write the new runs."""
-        self._document.apply(self._after, self._places)
+        self._document.apply(self._after)
 
     def undo(self) -> None:
         """Write the old runs back."""
-        self._before = self._before or tuple(self._read)
-        self._document.apply(self._before, self._places)
+        self._document.apply(self._before)

@@ -1,14 +1,14 @@
 """The open recording: the only owner and the only writer of its samples."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
+from mocapmend.edits import Contents, Edit, Repair
 from mocapmend.files import Source
 from mocapmend.files.records import NEVER_FILLED
 from mocapmend.names import short_names
@@ -18,91 +18,13 @@ from mocapmend.state import ABSENT, SampleState
 from mocapmend.states import States
 from mocapmend.unsaved import Unsaved
 from mocapmend.working_copy import WorkingCopy
-from mocapmend.written import Places, places_of, shares_of
+from mocapmend.written import Places, places_of
 from mocapmend_algorithms import Gap, Recording
-from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.skeleton import Skeleton
 
-FILLED = np.uint8(SampleState.FILLED)
+T = TypeVar("T")
 NO_SKELETON = Skeleton("", (), "none")
-
-
-class Repair(NamedTuple):
-    """How a gap was filled.
-
-    Attributes
-    ----------
-    method : str
-        Method id.
-    params : object
-        The method's parameter dataclass.
-    patch : Patch
-        What was put into the gap, with its expected error.
-    donors : tuple of str
-        Labels of the markers that it was computed from.
-    """
-
-    method: str
-    params: Any
-    patch: Patch
-    donors: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class Edit:
-    """What a run of one marker shall hold (or held): its samples, and why they may be missing.
-
-    Attributes
-    ----------
-    gap : Gap
-        The run.
-    values : ndarray, shape (length, 3)
-        Coordinates, NaN where missing.
-    states : ndarray of uint8, shape (length,)
-        `SampleState` values.
-    repair : Repair or None
-        Set when the run is the fill of a gap.
-    reason : str or None
-        Set when the run is a gap that the user keeps open: why. A gap that shall never be filled
-        is kept so without one too.
-    """
-
-    gap: Gap
-    values: NDArray[np.float64]
-    states: NDArray[np.uint8]
-    repair: Repair | None = None
-    reason: str | None = None
-
-    @classmethod
-    def fill(
-        cls, patch: Patch, method: str, params: object, donors: tuple[str, ...] = ()
-    ) -> "Edit":
-        """Make the edit that puts a method's patch in its gap."""
-        states = np.broadcast_to(FILLED, patch.gap.length)
-        return cls(patch.gap, patch.values, states, Repair(method, params, patch, donors))
-
-    @classmethod
-    def fills(cls, result: FillResult, method: str, params: object) -> list["Edit"]:
-        """Make the edits that put all patches of a method's result in their gaps."""
-        # A view for each: ten thousand arrays of their own take long.
-        filled = np.full(max((p.gap.length for p in result.patches), default=0), FILLED)
-        return [
-            cls(
-                patch.gap,
-                patch.values,
-                filled[: patch.gap.length],
-                Repair(method, params, patch, result.donors(patch.gap)),
-            )
-            for patch in result.patches
-        ]
-
-    @classmethod
-    def clear(
-        cls, gap: Gap, state: SampleState = SampleState.MISSING, reason: str | None = None
-    ) -> "Edit":
-        """Make the edit that marks a run as missing, or as never to be filled, for a reason."""
-        states = np.full(gap.length, state, np.uint8)
-        return cls(gap, np.full((gap.length, 3), np.nan), states, reason=reason)
 
 
 class Document(QObject):
@@ -288,12 +210,10 @@ class Document(QObject):
 
     def read(self, gap: Gap) -> Edit:
         """Return what a run holds now, as the edit that would restore it."""
-        return next(self.read_runs((gap,), places_of((gap,))))
+        return next(self.contents((gap,), places_of((gap,))).edits())
 
-    def read_runs(self, runs: Sequence[Gap], places: Places) -> Iterator[Edit]:
-        """Return for each run what it holds now, as the edit that would restore it.
-
-        It is read now; the edits are made as they are asked for.
+    def contents(self, runs: Sequence[Gap], places: Places) -> Contents:
+        """Return what runs hold now.
 
         Parameters
         ----------
@@ -302,46 +222,27 @@ class Document(QObject):
         places : Places
             Where their samples are.
         """
-        values, states = self.points[places], self.state[places]
-        repairs = [self.repairs.get(gap) for gap in runs]
-        reasons = [self._reasons.get(gap) for gap in runs]
-        return (
-            Edit(gap, values[own], states[own], repair, reason)
-            for gap, own, repair, reason in zip(
-                runs, shares_of(runs), repairs, reasons, strict=True
-            )
+        return Contents(
+            tuple(runs),
+            places,
+            self.points[places],
+            self.state[places],
+            tuple(map(self.repairs.get, runs)),
+            tuple(map(self._reasons.get, runs)),
         )
 
-    def apply(self, edits: Sequence[Edit], places: Places) -> None:
-        """Write runs of samples, and the reasons of gaps. For undo commands alone.
-
-        Parameters
-        ----------
-        edits : sequence of Edit
-            What the runs shall hold.
-        places : Places
-            Where their samples are.
-        """
-        changed = tuple(edit.gap for edit in edits)
-        for edit in edits:
-            if edit.reason is None:
-                self._reasons.pop(edit.gap, None)
-            else:
-                self._reasons[edit.gap] = edit.reason
-        states = np.concatenate([edit.states for edit in edits])
-        if np.array_equal(states, self.state[places]) and np.isin(states, ABSENT).all():
+    def apply(self, new: Contents) -> None:
+        """Write runs of samples, and the reasons of gaps. For undo commands alone."""
+        _set(self._reasons, new.gaps, new.reasons)
+        if np.array_equal(new.states, self.state[new.places]) and new.absent.all():
             self.left_open_changed.emit()
             return
-        self._samples.writable()[places] = np.concatenate([edit.values for edit in edits])
-        self._states.write(places, states, {gap.marker for gap in changed})
-        for edit in edits:
-            if edit.repair is None:
-                self.repairs.pop(edit.gap, None)
-            else:
-                self.repairs[edit.gap] = edit.repair
-        self._written.update(changed)
+        self._samples.writable()[new.places] = new.values
+        self._states.write(new.places, new.states, {gap.marker for gap in new.gaps})
+        _set(self.repairs, new.gaps, new.repairs)
+        self._written.update(new.gaps)
         self.revision += 1
-        self.samples_changed.emit(changed)
+        self.samples_changed.emit(new.gaps)
 
     def unsaved(self) -> Unsaved:
         """Return what may differ from the file, for saving.
@@ -373,3 +274,12 @@ def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:
         values = source.recording.points[gap.start : gap.stop, gap.marker].copy()
         patch = Patch.stated(gap, values, record.expected_error_mm / mm, record.r90_mm / mm)
         yield gap, Repair(record.method, record.parameters, patch, record.donors)
+
+
+def _set(known: dict[Gap, T], gaps: Sequence[Gap], values: Sequence[T | None]) -> None:
+    """Set what is known of gaps; None is nothing."""
+    for gap, value in zip(gaps, values, strict=True):
+        if value is None:
+            known.pop(gap, None)
+        else:
+            known[gap] = value

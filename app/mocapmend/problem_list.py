@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.document import Document, Repair
+from mocapmend.document import Document
+from mocapmend.edits import Repair
 from mocapmend.prospects import Preview, Prospects
 from mocapmend.ranking import Problem, Status
 from mocapmend_algorithms import Gap

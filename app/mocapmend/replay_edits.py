@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.replaying import Plan
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap

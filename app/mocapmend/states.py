@@ -11,6 +11,7 @@ from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap
 
 NO_RUNS = np.empty((0, 2), np.int64)
+KINDS = tuple(SampleState)
 
 
 class States:
@@ -116,7 +117,7 @@ class States:
         starts = np.concatenate(([0], changes))[: len(states)]
         spans = np.stack((starts, np.append(changes, len(states))[: len(starts)]), axis=1)
         kinds = states[starts]
-        return {state: spans[kinds == state] for state in SampleState}
+        return {state: spans[kinds == state] for state in KINDS}
 
 
 def _places(mask: NDArray[np.bool_]) -> NDArray[np.intp]:

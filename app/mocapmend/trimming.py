@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap
 

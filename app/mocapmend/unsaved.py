@@ -15,7 +15,7 @@ from mocapmend.written import Places, differing_runs
 from mocapmend_algorithms import Gap, Progress
 
 if TYPE_CHECKING:
-    from mocapmend.document import Repair
+    from mocapmend.edits import Repair
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QSettings, QTimer
 
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.settings import Settings
 from mocapmend.views.application import make_application
 from mocapmend.views.main_window import MainWindow

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files.records import NEVER_FILLED
 from mocapmend.state import SampleState
 from mocapmend.written import places_of
@@ -255,7 +256,7 @@ def test_a_step_knows_how_many_samples_it_sets_missing(document: Document) -> No
 def test_many_runs_are_read_as_one_by_one(document: Document) -> None:
     gaps = interior(document)
     document.undo_stack.push(fill(document, gaps[1]))
-    for gap, edit in zip(gaps, document.read_runs(gaps, places_of(gaps)), strict=True):
+    for gap, edit in zip(gaps, document.contents(gaps, places_of(gaps)).edits(), strict=True):
         alone = document.read(gap)
         assert edit.gap == gap
         assert edit.repair is alone.repair

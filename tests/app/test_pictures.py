@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.state import SampleState
 from mocapmend.theme import DARK, LIGHT, THEMES, Theme
 from mocapmend.views.lane import alone_in

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files import Source, Stamp
 from mocapmend.problem_list import ProblemList
 from mocapmend.prospects import Prospects, Way

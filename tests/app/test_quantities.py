@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files import C3DFile
 from mocapmend.views.quantities import Curve, Quantity, Series, motion
 from mocapmend_algorithms import Gap

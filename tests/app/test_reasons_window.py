@@ -12,7 +12,8 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend import unsaved
 from mocapmend.cli import main
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files import read_c3d
 from mocapmend.files.records import LEFT_OPEN, LONGEST_TEXT, NEVER_FILLED
 from mocapmend.journal import find_abandoned, resume

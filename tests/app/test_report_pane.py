@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QTableWidget
 from pytestqt.qtbot import QtBot
 
 from mocapmend import engine
-from mocapmend.document import Edit
+from mocapmend.edits import Edit
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.tables import in_sight

@@ -7,7 +7,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files import ForcePlate
 from mocapmend.state import SampleState
 from mocapmend.theme import DARK

@@ -10,7 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend import recipe, replaying
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.engine import export, fill_gap, load
 from mocapmend.files import check_files, read_c3d
 from mocapmend.state import SampleState

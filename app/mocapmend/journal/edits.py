@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mocapmend.document import Edit, Repair
+from mocapmend.edits import Edit, Repair
 from mocapmend.journal.file import Event, Record
 from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap, Recording

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from threading import Thread
 
-from mocapmend.document import Edit
+from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source
 from mocapmend.journal.edits import encode

@@ -8,7 +8,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.jobs import Job, Jobs
 from mocapmend.prospects import Prospects, Way
 from mocapmend.views.survey import Survey

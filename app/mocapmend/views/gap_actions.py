@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files.records import LEFT_OPEN, NEVER_FILLED, NO_REASON
 from mocapmend.navigation import in_time_order, neighbour, place
 from mocapmend.state import SampleState

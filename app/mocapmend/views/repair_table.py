@@ -13,7 +13,8 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QLabel, QStackedLayout, QTableView, QWidget
 
-from mocapmend.document import Document, Repair
+from mocapmend.document import Document
+from mocapmend.edits import Repair
 from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index

@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QLabel, QSplitter
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
-from mocapmend.document import NO_SKELETON, Document, Edit
+from mocapmend.document import NO_SKELETON, Document
+from mocapmend.edits import Edit
 from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder

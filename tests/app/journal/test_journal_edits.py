@@ -8,7 +8,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from mocapmend.document import Document, Edit, Repair
+from mocapmend.document import Document
+from mocapmend.edits import Edit, Repair
 from mocapmend.journal.edits import decode, encode
 from mocapmend.journal.file import Record
 from mocapmend.state import SampleState

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, Stamp, read_recording
 from mocapmend.files.records import NEVER_FILLED

@@ -17,7 +17,8 @@ from recording_samples import NO_LIMITS, changes_in, digest, repair, write_sampl
 
 from mocapmend import engine, recipe
 from mocapmend.commands import EditSamples
-from mocapmend.document import Document, Edit
+from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.files import read_recording
 from mocapmend.files.sidecar import sidecar_path
 from mocapmend_algorithms import find_gaps, no_progress

@@ -17,7 +17,7 @@ from mocapmend.bench.gui.stage import (
     window,
 )
 from mocapmend.bench.gui.steps import scrub_places
-from mocapmend.document import Edit
+from mocapmend.edits import Edit
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import Patch
