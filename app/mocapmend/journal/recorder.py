@@ -1,14 +1,15 @@
 """Writes the journal of one recording while it is edited.
 
 An edit is on the disk before it is made. A step of thousands of runs takes too long for that: a
-thread brings it there, before anything else can be noted. So a crash costs at most the last edit.
+thread brings it there, once the window has shown what it changes, and before anything else can be
+noted. So a crash costs at most the last edit.
 """
 
 import logging
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from threading import Thread
+from threading import Event, Thread
 
 from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
@@ -21,6 +22,8 @@ log = logging.getLogger(__name__)
 
 AT_ONCE = 500
 """Runs of a step that are written while the user waits."""
+RESPITE_S = 0.2
+"""How long the thread leaves the processor to the window when such a step is made."""
 
 
 class Recorder:
@@ -48,6 +51,7 @@ class Recorder:
         self._subject: Subject | None = None
         self._describing: Thread | None = None
         self._writing: Thread | None = None
+        self._waited_for = Event()
         self._error: OSError | None = None
         self._index = 0
         self._off = False
@@ -90,6 +94,7 @@ class Recorder:
     def wait(self) -> None:
         """Wait until what was noted is on the disk, and tell it if that could not be done."""
         if self._writing is not None:
+            self._waited_for.set()
             self._writing.join()
             self._writing = None
         if self._error is not None:
@@ -133,11 +138,16 @@ class Recorder:
         if self._off:
             return
         if later:
-            self._writing = Thread(target=self._append, args=(make,), name="journal")
+            self._waited_for.clear()
+            self._writing = Thread(target=self._append_later, args=(make,), name="journal")
             self._writing.start()
         else:
             self._append(make)
             self.wait()
+
+    def _append_later(self, make: Callable[[], Record]) -> None:
+        self._waited_for.wait(RESPITE_S)
+        self._append(make)
 
     def _append(self, make: Callable[[], Record]) -> None:
         try:

@@ -50,8 +50,6 @@ TAB_HEIGHT = 36
 BEGIN_MS = 50
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
-PAINT_MS = 10
-"""How long other events come first when painting has to wait."""
 MANY_RUNS = 500
 """Above that an edit takes so long that what it changes is painted a moment later."""
 
@@ -147,7 +145,6 @@ class Workspace(PanedWindow):
         # What goes on in the background must not hold up the first picture.
         self._paint_timer = QTimer(self)
         self._paint_timer.setSingleShot(True)
-        self._paint_timer.setInterval(PAINT_MS)
         self._paint_timer.timeout.connect(self._paint_again)
         document.samples_changed.connect(self._rest_from)
         self._begin_timer = QTimer(self)
@@ -166,7 +163,7 @@ class Workspace(PanedWindow):
             self.survey.start()
 
     def paint_later(self) -> None:
-        """Paint a moment later, after other events: what was done took long enough."""
+        """Paint when other events have been handled: what was done took long enough."""
         self.setUpdatesEnabled(False)
         self._paint_timer.start()
 
