@@ -3,6 +3,7 @@
 Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
+import os
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -50,7 +51,7 @@ from mocapmend_resources import skeletons
 
 Apart = Callable[..., Any]
 """Calls a function with some arguments and a progress elsewhere, and waits for what it returns."""
-FOR_MANY = Way(shared_array, threads=2)
+FOR_MANY = Way(shared_array, threads=min(4, os.cpu_count() or 1))
 """How a file is read that a user waits for, and that workers are to share."""
 READ_BACK = "The file was read back: all samples are as they should be."
 
