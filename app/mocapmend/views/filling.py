@@ -70,6 +70,7 @@ class Filling(QObject):
         self._later.stop()
         if self.job is not None:
             self.job.abandon()
+            self.job = None
 
     def gaps(self) -> list[Gap]:
         """Return the gaps that can be repaired at all."""

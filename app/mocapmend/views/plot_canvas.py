@@ -52,6 +52,7 @@ class PlotCanvas(QWidget):
         self._theme = theme
         self._picture: QPixmap | None = None
         self._frames: list[Frame] = []
+        self._axis = TimeAxis(view)
         self._mouse: QPointF | None = None
         self._span: tuple[int, int] | None = None
         self._left_out = 0
@@ -123,6 +124,7 @@ class PlotCanvas(QWidget):
         self._axis.wheel(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        self._place_axis()
         self._picture = None
         super().resizeEvent(event)
 
@@ -140,12 +142,14 @@ class PlotCanvas(QWidget):
     def _fit_texts(self) -> None:
         """Make room for the texts in the present font."""
         self._margins = margins = Margins.of(self.fontMetrics())
-        self._axis = TimeAxis(
-            self._view, margins.left, lambda: self.width() - margins.left - margins.right
-        )
+        self._place_axis()
         self.setMinimumSize(
             QSize(4 * margins.left, margins.top + 2 * margins.least + margins.bottom)
         )
+
+    def _place_axis(self) -> None:
+        margins = self._margins
+        self._axis.place(margins.left, self.width() - margins.left - margins.right)
 
     # --- painting ----------------------------------------------------------------------------
 

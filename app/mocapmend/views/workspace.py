@@ -1,5 +1,6 @@
 """Everything that shows one document: the views around it, and what the user does to it."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -80,6 +81,8 @@ class Workspace(PanedWindow):
         document.setParent(self)
         self._jobs = jobs
         self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
+        # Not a method: parts that have one of the workspace would keep it when its tab is closed.
+        self.push = partial(_push, document, self.recorder)
         self._journal_timer = QTimer(self)
         self._journal_timer.setInterval(JOURNAL_MS)
         self._journal_timer.timeout.connect(self._look_at_journal)
@@ -298,12 +301,6 @@ class Workspace(PanedWindow):
         if worst is not None:
             self._show_gap(worst)
 
-    def push(self, edits: list[Edit], text: str) -> None:
-        """Make edits, in one undoable step."""
-        command = EditSamples(self.document, edits, text)
-        self.recorder.push(text, edits)
-        self.document.undo_stack.push(command)
-
     def _look_at_journal(self) -> None:
         if self.recorder.poll():
             self._journal_timer.stop()
@@ -444,3 +441,10 @@ class Workspace(PanedWindow):
         label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         label.setWordWrap(True)
         return label
+
+
+def _push(document: Document, recorder: Recorder, edits: list[Edit], text: str) -> None:
+    """Make edits, in one undoable step, and have them in the journal first."""
+    command = EditSamples(document, edits, text)
+    recorder.push(text, edits)
+    document.undo_stack.push(command)
