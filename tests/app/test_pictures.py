@@ -189,7 +189,7 @@ def test_moving_the_playhead_paints_no_plot_again(
     picture(qtbot, plots)
     assert plots._picture is kept
     view.zoom(0.5, 100.0)
-    assert plots._picture is None
+    assert plots._stale
 
 
 def test_the_scene_shows_the_preview_in_its_frames_alone(

@@ -4,24 +4,26 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 from text_samples import TRC
 
-from mocapmend.document import Document
+from mocapmend.commands import EditSamples
+from mocapmend.document import Document, Edit
 from mocapmend.engine import load
 from mocapmend.settings import PLOTS, SAME_SCALE, Settings
 from mocapmend.theme import DARK
+from mocapmend.views import quantities
 from mocapmend.views.lane_painter import Lane, LanePainter
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.quantities import Curve, Quantity
 from mocapmend.views.readout import Readout, Row
 from mocapmend.views.trajectories import POSITION, Trajectories
 from mocapmend.viewstate import ViewState
-from mocapmend_algorithms import no_progress
+from mocapmend_algorithms import Gap, no_progress
 
 Open = Callable[[Path], MainWindow]
 
@@ -157,6 +159,78 @@ def test_a_larger_font_has_more_room(plots: Trajectories) -> None:
     assert plots.height() - plots._frames[-1].rect.bottom() >= metrics.height()
     # The time axis has moved too: what is clicked is what is under the mouse.
     assert plots._axis.frame_at(float(plots._frames[0].x(40))) == pytest.approx(40.5)
+
+
+@pytest.fixture
+def slow(document: Document, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no more than three curves be computed at a time, as those of a long recording."""
+    monkeypatch.setattr(quantities, "PORTION", 3 * document.original.frames)
+
+
+def fresh(document: Document, plots: Trajectories, qtbot: QtBot) -> QImage:
+    """Return how plots look in which everything is computed already."""
+    other = Trajectories(document, plots._view, DARK)
+    qtbot.addWidget(other)
+    other.resize(plots.size())
+    other.show()
+    qtbot.waitUntil(lambda: not other._stale)
+    return image(other)
+
+
+@pytest.mark.usefixtures("slow")
+def test_the_plots_of_many_markers_come_all_at_once(
+    plots: Trajectories, view: ViewState, document: Document, qtbot: QtBot
+) -> None:
+    before, seen = image(plots), []
+    view.select(tuple(range(document.original.markers)))
+    while plots._stale:
+        picture = image(plots)
+        if plots._stale:
+            seen.append(picture)
+        QCoreApplication.processEvents()
+    assert len(seen) > 3
+    assert all(picture == before for picture in seen)
+    assert image(plots) == fresh(document, plots, qtbot) != before
+
+
+@pytest.mark.usefixtures("slow")
+def test_what_is_laid_over_the_plots_is_about_what_they_show(
+    plots: Trajectories, view: ViewState, document: Document, qtbot: QtBot
+) -> None:
+    image(plots)
+    view.select(tuple(range(20)))
+    plots.set_quantities((Quantity.SPEED,))
+    QTest.mouseMove(plots, plots.rect().center())
+    image(plots)
+    assert plots._stale
+    readout = plots._readout(100.0, 1)
+    assert readout.columns == ("X", "Y", "Z")
+    assert [row.name for row in readout.rows] == [document.names[8], document.names[3]]
+    assert len(plots._painter.series._envelopes) < 20
+    qtbot.waitUntil(lambda: not plots._stale)
+    assert len(plots._readout(100.0, 0).rows) == 20
+
+
+@pytest.mark.usefixtures("slow")
+def test_what_changes_while_many_curves_are_computed_is_seen(
+    plots: Trajectories, view: ViewState, document: Document, qtbot: QtBot
+) -> None:
+    image(plots)
+    view.select(tuple(range(20)))
+    image(plots)
+    assert plots._stale
+    plots.resize(900, 700)
+    corner = image(plots).pixelColor(895, 695)
+    assert plots._stale
+    assert corner == QColor(DARK.window)
+    gap = document.gaps[0]
+    view.select((gap.marker, *view.selection))
+    push = document.undo_stack.push
+    push(EditSamples(document, [Edit.clear(Gap(3, 40, 90))], "clear"))
+    qtbot.waitUntil(lambda: not plots._stale)
+    assert image(plots) == fresh(document, plots, qtbot)
+    view.select((3,))
+    assert image(plots) == fresh(document, plots, qtbot)
 
 
 def test_an_empty_plot_says_why(tmp_path: Path, qtbot: QtBot) -> None:

@@ -7,6 +7,7 @@ from mocapmend.commands import EditSamples
 from mocapmend.document import Document
 from mocapmend.edits import Edit
 from mocapmend.files import C3DFile
+from mocapmend.views import quantities
 from mocapmend.views.quantities import Curve, Quantity, Series, motion
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Patch
@@ -76,6 +77,40 @@ def test_only_what_has_changed_is_computed_again(document: Document) -> None:
     series.forget({1})
     assert np.shares_memory(series.rows(Quantity.SPEED, kept), before[0])
     assert not np.shares_memory(series.rows(Quantity.BONE, pair), before[1])
+
+
+@pytest.mark.parametrize("quantity", Quantity)
+def test_a_single_value_is_that_of_the_curve(document: Document, quantity: Quantity) -> None:
+    series = Series(document)
+    curve = Curve(3, "", 8) if quantity is Quantity.BONE else Curve(3, "")
+    every = [series.value(quantity, curve, k) for k in range(document.original.frames)]
+    np.testing.assert_array_equal(every, series.rows(quantity, curve))
+    assert np.isfinite(every).any()
+
+
+def test_many_curves_are_computed_a_portion_at_a_time(
+    document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(quantities, "PORTION", 4 * document.original.frames)
+    series = Series(document)
+    few = [(Quantity.SPEED, Curve(marker, "")) for marker in (3, 8)]
+    assert series.prepare(few), "two trajectories and what follows from them"
+    assert len(series._envelopes) == 4
+    many = [(quantity, Curve(k, "")) for k in range(10) for quantity in (Quantity.X, Quantity.Y)]
+    done = []
+    while not series.prepare(many):
+        done.append(len(series._envelopes))
+    assert done == [8, 12]
+    series.forget({5})
+    assert not series.prepare(many), "what is to be drawn now takes long enough"
+    assert series.prepare(many)
+
+
+def test_a_curve_longer_than_a_portion_is_computed_at_once(
+    document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(quantities, "PORTION", 10)
+    assert Series(document).prepare([(Quantity.X, Curve(3, ""))])
 
 
 def test_residuals_are_those_of_the_file(document: Document) -> None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from weakref import ref
 
 import pytest
 from PySide6.QtCore import QRect, Qt
@@ -59,6 +60,40 @@ def test_doing_what_it_says_goes_on(
     assert tour.step == 0
     tour.end()
     assert is_over(window, qtbot)
+
+
+def pointing_at_plots(window: MainWindow, qtbot: QtBot) -> bool:
+    """Wait until the tour points at the plots of the recording that is seen."""
+    assert window.workspace is not None
+    plots = window.workspace.trajectories
+    qtbot.waitUntil(lambda: tour_of(window).callout._target is plots)
+    return tour_of(window).step == 2
+
+
+def close(window: MainWindow, qtbot: QtBot) -> None:
+    """Close the recording that is seen, and wait until it is gone."""
+    assert window.workspace is not None
+    plots = ref(window.workspace.trajectories)
+    window.files.close()
+    qtbot.waitUntil(lambda: plots() is None, timeout=20_000)
+
+
+def test_it_points_into_the_recording_that_is_seen_and_keeps_no_other(
+    open_in: Callable[[Path], MainWindow], gait: Path, sprint: Path, qtbot: QtBot
+) -> None:
+    open_in(sprint)
+    window = open_in(gait)
+    window.jobs._garbage.timer.stop()
+    window.start_tour()
+    tour_of(window)._show(2)
+    for _ in range(2):
+        assert pointing_at_plots(window, qtbot)
+        window.documents.step(1)
+    close(window, qtbot)
+    assert pointing_at_plots(window, qtbot)
+    tour_of(window).end()
+    assert is_over(window, qtbot)
+    close(window, qtbot)
 
 
 @pytest.mark.parametrize("how", ["escape", "button"])

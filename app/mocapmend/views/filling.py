@@ -75,6 +75,7 @@ class Filling(QObject):
         self._later.stop()
         if self.job is not None:
             self.job.abandon()
+            self.job = None
 
     def planned(self, way: Way, limits: Limits) -> tuple[FillResult, list[Gap]]:
         """Return what filling all gaps would do, and the gaps of which that is not known yet.

@@ -1,6 +1,6 @@
 """A widget of plots over the shared time axis: painted once, with what moves laid over it."""
 
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import (
     QColor,
     QMouseEvent,
@@ -23,7 +23,8 @@ from mocapmend.viewstate import ViewState
 class PlotCanvas(QWidget):
     """Plots that are kept as a picture: playhead, crosshair and selected span are drawn over it.
 
-    Subclasses say what is painted.
+    Subclasses say what is painted. Where that has to be computed first, and takes long, the picture
+    stays as it was meanwhile.
 
     Parameters
     ----------
@@ -51,7 +52,14 @@ class PlotCanvas(QWidget):
         self._first_frame = first_frame
         self._theme = theme
         self._picture: QPixmap | None = None
+        self._stale = True
+        """Whether there is something else to see than in the picture."""
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(0)
+        self._later.timeout.connect(self._go_on)
         self._frames: list[Frame] = []
+        self._axis = TimeAxis(view)
         self._mouse: QPointF | None = None
         self._span: tuple[int, int] | None = None
         self._left_out = 0
@@ -76,10 +84,14 @@ class PlotCanvas(QWidget):
 
     def repaint_plots(self) -> None:
         """Paint the picture again: what it shows has changed."""
-        self._picture = None
+        self._stale = True
         self.update()
 
     # --- what subclasses say -----------------------------------------------------------------
+
+    def _get_ready(self) -> bool:
+        """Compute some of what the plots need; say whether they can be painted now."""
+        return True
 
     def _paint_plots(self, painter: QPainter, area: QRectF) -> list[Frame]:
         """Paint all plots into an area, and return their frames from top to bottom."""
@@ -123,7 +135,8 @@ class PlotCanvas(QWidget):
         self._axis.wheel(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        self._picture = None
+        self._place_axis()
+        self._stale = True
         super().resizeEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -140,12 +153,14 @@ class PlotCanvas(QWidget):
     def _fit_texts(self) -> None:
         """Make room for the texts in the present font."""
         self._margins = margins = Margins.of(self.fontMetrics())
-        self._axis = TimeAxis(
-            self._view, margins.left, lambda: self.width() - margins.left - margins.right
-        )
+        self._place_axis()
         self.setMinimumSize(
             QSize(4 * margins.left, margins.top + 2 * margins.least + margins.bottom)
         )
+
+    def _place_axis(self) -> None:
+        margins = self._margins
+        self._axis.place(margins.left, self.width() - margins.left - margins.right)
 
     # --- painting ----------------------------------------------------------------------------
 
@@ -160,10 +175,21 @@ class PlotCanvas(QWidget):
         return QRectF(margins.left, margins.top, self._axis.width, self._bottom - margins.top)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if self._picture is None or self._picture.devicePixelRatioF() != self.devicePixelRatioF():
-            self._picture = self._paint_picture()
+        picture = self._picture
+        if picture is None or picture.devicePixelRatioF() != self.devicePixelRatioF():
+            self._stale = True
+        if self._stale and not self._later.isActive():
+            if self._get_ready():
+                picture = self._picture = self._paint_picture()
+                self._stale = False
+            else:
+                self._later.start()
         painter = QPainter(self)
-        painter.drawPixmap(0, 0, self._picture)
+        if self._stale:
+            # The picture may be too small by now.
+            painter.fillRect(self.rect(), QColor(self._theme.window))
+        if picture is not None:
+            painter.drawPixmap(0, 0, picture)
         if self._frames:
             if self._span is not None:
                 paint_span(painter, self._frames[0], self._span, self._bottom, self._theme)
@@ -172,6 +198,13 @@ class PlotCanvas(QWidget):
             self._paint_playhead(painter)
             self._paint_crosshair(painter)
         painter.end()
+
+    def _go_on(self) -> None:
+        """Compute more, after other events. All at once is painted in an event of its own."""
+        if self._get_ready():
+            self.update()
+        else:
+            self._later.start()
 
     def _paint_picture(self) -> QPixmap:
         ratio = self.devicePixelRatioF()

@@ -1,6 +1,6 @@
 """What a plot can show of a marker, and the numbers of it. No Qt."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Literal
@@ -14,6 +14,11 @@ from mocapmend.views.columns import Envelope, Floats
 from mocapmend_algorithms.fill.contract import Patch
 
 Kind = Literal["position", "motion", "residual", "bone"]
+Key = tuple[Kind, tuple[int, ...]]
+"""What is computed together, of which markers."""
+
+PORTION = 500_000
+"""Frames of curves that are computed at a time: some 30 ms."""
 
 
 class Quantity(Enum):
@@ -94,8 +99,8 @@ class Series:
         self._document = document
         source = document.source
         self._residuals = source.residuals if isinstance(source, C3DFile) else None
-        self._envelopes: dict[tuple[Kind, tuple[int, ...]], Envelope] = {}
-        self._drawn: dict[tuple[Kind, tuple[int, ...]], tuple[Floats, Floats]] = {}
+        self._envelopes: dict[Key, Envelope] = {}
+        self._drawn: dict[Key, tuple[Floats, Floats]] = {}
         self._drawn_for: tuple[float, ...] = ()
 
     @property
@@ -108,6 +113,33 @@ class Series:
         self._drawn.clear()
         for key in [key for key in self._envelopes if markers.intersection(key[1])]:
             del self._envelopes[key]
+
+    def prepare(self, drawn: Iterable[tuple[Quantity, Curve]]) -> bool:
+        """Compute a portion of what is to be drawn, where that is not there yet.
+
+        Returns
+        -------
+        bool
+            Whether it can be drawn now: few curves at once, many when all were there before.
+        """
+        keys = dict.fromkeys(
+            key for quantity, curve in drawn for key in _needed(quantity.kind, curve.markers)
+        )
+        missing = [key for key in keys if key not in self._envelopes]
+        at_a_time = max(1, PORTION // max(1, self._document.original.frames))
+        for key in missing[:at_a_time]:
+            self._envelope(key)
+        return not missing or len(keys) <= at_a_time
+
+    def value(self, quantity: Quantity, curve: Curve, frame: int) -> float:
+        """Return the value of a curve at a frame, NaN where there is none."""
+        if quantity is Quantity.RESIDUAL:
+            known = self._residuals
+            return np.nan if known is None else float(known[frame, curve.marker])
+        # With the neighbours, for differences; not from all values: those may take long to make.
+        start = max(0, frame - 1)
+        ends = [self._document.points[start : frame + 2, marker] for marker in curve.markers]
+        return float(self._compute(quantity.kind, ends)[quantity.row, frame - start])
 
     def rows(self, quantity: Quantity, curve: Curve) -> Floats:
         """Return all values of a curve, shape (frames,), NaN where there is none."""
@@ -149,7 +181,7 @@ class Series:
         values = self._compute(quantity.kind, ends)[quantity.row, near]
         return frames[near].astype(float), values
 
-    def _envelope(self, key: tuple[Kind, tuple[int, ...]]) -> Envelope:
+    def _envelope(self, key: Key) -> Envelope:
         if key not in self._envelopes:
             kind, markers = key
             if kind == "residual":
@@ -176,3 +208,10 @@ class Series:
             return motion(ends[0], self._document.original.rate)
         along = ends[0] - ends[1]
         return np.asarray(np.sqrt(np.einsum("tk,tk->t", along, along))[None])
+
+
+def _needed(kind: Kind, markers: tuple[int, ...]) -> Iterator[Key]:
+    """Yield what has to be computed for curves, the trajectories that they follow from first."""
+    if kind in {"motion", "bone"}:
+        yield from (("position", (marker,)) for marker in markers)
+    yield kind, markers

@@ -1,7 +1,5 @@
 """The time axis that plots and timeline share: frames to pixels, and what the mouse does to it."""
 
-from collections.abc import Callable
-
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
@@ -15,27 +13,31 @@ ZOOM_PER_STEP = 0.998
 class TimeAxis:
     """The visible frames of a view state, laid over a part of a widget.
 
+    It does not know the widget, which has it: they would keep each other when the tab is closed.
+
     Parameters
     ----------
     view : ViewState
         Whose visible range it is.
+
+    Attributes
+    ----------
     left : int
         Pixels before the axis begins.
-    width : callable
-        Returns the pixels that it takes.
+    width : int
+        Pixels that it takes, at least one.
     """
 
-    def __init__(self, view: ViewState, left: int, width: Callable[[], int]) -> None:
-        self.left = left
+    def __init__(self, view: ViewState) -> None:
+        self.left = 0
+        self.width = 1
         self._view = view
-        self._width = width
         self._grip: float | None = None
         self._anchor: int | None = None
 
-    @property
-    def width(self) -> int:
-        """Pixels that the axis takes, at least one."""
-        return max(1, self._width())
+    def place(self, left: int, width: int) -> None:
+        """Lay the axis over another part of the widget."""
+        self.left, self.width = left, max(1, width)
 
     @property
     def frames_per_pixel(self) -> float:

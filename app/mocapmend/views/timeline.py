@@ -42,7 +42,7 @@ class Timeline(QAbstractScrollArea):
         self._theme = theme
         self._picture: QPixmap | None = None
         self._shown = view.frame
-        self.axis = TimeAxis(view, 0, lambda: self.viewport().width() - self.axis.left - 1)
+        self.axis = TimeAxis(view)
         original = document.original
         self._events = EventLane(document.source.events, original.frames, self.axis)
         self._layout = LaneLayout(document.names, events=bool(self._events.events))
@@ -158,6 +158,7 @@ class Timeline(QAbstractScrollArea):
         return super().viewportEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        self._place_axis()
         self._place_overview()
         self._repaint()
         self._show_lane()
@@ -203,7 +204,7 @@ class Timeline(QAbstractScrollArea):
     def _use_font(self) -> None:
         metrics = self.fontMetrics()
         self._layout.use_font(metrics, (self._events.title, self.overview.title))
-        self.axis.left = self._layout.gutter
+        self._place_axis()
         self.overview.set_gutter(self._layout.gutter)
         height = metrics.height() + 6
         self.overview.setFixedHeight(height)
@@ -212,6 +213,10 @@ class Timeline(QAbstractScrollArea):
         self._place_overview()
         self.updateGeometry()
         self._repaint()
+
+    def _place_axis(self) -> None:
+        gutter = self._layout.gutter
+        self.axis.place(gutter, self.viewport().width() - gutter - 1)
 
     def _place_overview(self) -> None:
         area = self.viewport().geometry()

@@ -26,13 +26,13 @@ class Step:
     text : str
         What the user reads.
     target : callable
-        Returns the widget that it is about, or None.
+        Returns the widget of a window that it is about, or None.
     done_by : tuple of str
         Ids of the actions that end the step.
     """
 
     text: str
-    target: Callable[[], QWidget | None]
+    target: "Callable[[MainWindow], QWidget | None]"
     done_by: tuple[str, ...] = ()
 
 
@@ -116,14 +116,14 @@ class Tour(QObject):
             if last
             else self.tr("Next"),
         )
-        target, workspace = step.target(), self._window.workspace
+        target, workspace = step.target(self._window), self._window.workspace
         if target is not None and workspace is not None:
             workspace.raise_pane(target)
         # Later: what was just opened or raised has its place then.
         QTimer.singleShot(0, self, self._place)
 
     def _place(self) -> None:
-        self._callout.point_at(self._steps[self._index].target())
+        self._callout.point_at(self._steps[self._index].target(self._window))
 
     def _go_on(self) -> None:
         if self._index == 0:
@@ -134,8 +134,9 @@ class Tour(QObject):
     def _see_document(self) -> None:
         if self._window.workspace is None:
             self._show(0)
-        elif self._index == 0:
-            self._show(1)
+        else:
+            # What it has pointed at is out of sight, or gone.
+            self._show(max(1, self._index))
 
     def _see_action(self) -> None:
         if self.sender().objectName() in self._steps[self._index].done_by:
@@ -150,26 +151,18 @@ class Tour(QObject):
         texts = key_texts(self._window.actions_by_id[name])
         return texts[0] if texts else "—"
 
-    def _pane(self, name: str) -> Callable[[], QWidget | None]:
-        def find() -> QWidget | None:
-            workspace = self._window.workspace
-            return None if workspace is None else getattr(workspace, name)
-
-        return find
-
     def _make_steps(self) -> list[Step]:
-        window = self._window
         return [
             Step(
                 self.tr("Welcome. Open a recording: drop a file here, or begin with a sample."),
-                lambda: window.welcome.samples,
+                lambda window: window.welcome.samples,
             ),
             Step(
                 self.tr(
                     "Each lane is a marker, orange is where it is missing. "
                     "Press {0} to go to the next gap, or double-click one."
                 ).format(self._key("next_gap")),
-                self._pane("timeline"),
+                _pane("timeline"),
                 ("next_gap", "previous_gap"),
             ),
             Step(
@@ -177,7 +170,7 @@ class Tour(QObject):
                     "The bold curve is the proposed repair with its 90 % band. "
                     "Nothing is changed yet. {0} shows another method."
                 ).format(self._key("next_method")),
-                self._pane("trajectories"),
+                _pane("trajectories"),
                 ("next_method", "previous_method"),
             ),
             Step(
@@ -185,7 +178,7 @@ class Tour(QObject):
                     "Here is how far off the repair is expected to be. {0} applies it, {1} takes "
                     "it back, and {2} repairs all gaps up to the limit."
                 ).format(self._key("apply"), self._key("undo"), self._key("fill_all")),
-                self._pane("repair"),
+                _pane("repair"),
                 ("apply", "apply_next", "fill_all"),
             ),
             Step(
@@ -193,7 +186,7 @@ class Tour(QObject):
                     "The Report tab compares before and after ({0}), the History tab goes back to "
                     "any step ({1})."
                 ).format(self._key("show_report"), self._key("show_history")),
-                self._pane("timeline"),
+                _pane("timeline"),
                 ("show_report", "show_history"),
             ),
             Step(
@@ -201,7 +194,12 @@ class Tour(QObject):
                     "{0} writes a repaired copy in which nothing else changes, and proves it. "
                     "{1} finds everything that the program can do."
                 ).format(self._key("export"), self._key("palette")),
-                lambda: window.toolbar.widgetForAction(window.actions_by_id["export"]),
+                lambda window: window.toolbar.widgetForAction(window.actions_by_id["export"]),
                 ("export", "palette"),
             ),
         ]
+
+
+def _pane(name: str) -> "Callable[[MainWindow], QWidget | None]":
+    """Return what finds a part of the recording that is seen."""
+    return lambda window: None if window.workspace is None else getattr(window.workspace, name)

@@ -39,6 +39,9 @@ class Trajectories(PlotCanvas):
         self._painter = LanePainter(document, theme)
         self._quantities: tuple[Quantity, ...] = POSITION
         self._shown: list[Lane] = []
+        """The plots of the picture, which may be behind the selection for a moment."""
+        self._shown_curves: tuple[Curve, ...] = ()
+        """Of all markers that were selected then."""
         self._bone: tuple[int, int] | None = None
         self._separate = False
         self._same_scale = False
@@ -119,6 +122,10 @@ class Trajectories(PlotCanvas):
 
     # --- painting ----------------------------------------------------------------------------
 
+    def _get_ready(self) -> bool:
+        drawn = [(lane.quantity, curve) for lane in self.lanes() for curve in lane.curves]
+        return self._painter.series.prepare(drawn)
+
     def _forget(self, gaps: tuple[Gap, ...]) -> None:
         self._painter.series.forget({gap.marker for gap in gaps})
         self.repaint_plots()
@@ -130,6 +137,7 @@ class Trajectories(PlotCanvas):
 
     def _paint_plots(self, painter: QPainter, area: QRectF) -> list[Frame]:
         self._shown = lanes = self.lanes()
+        self._shown_curves = self._curves()
         of_markers = [lane for lane in lanes if lane.quantity is not Quantity.BONE]
         seen = {curve.marker for lane in of_markers for curve in lane.curves}
         per_marker = len(of_markers) // max(1, len(seen))
@@ -173,7 +181,7 @@ class Trajectories(PlotCanvas):
         painter.setFont(self.font())
         metrics = painter.fontMetrics()
         self._paint_derived(painter)
-        margins, curves = self._margins, self._curves()
+        margins, curves = self._margins, self._shown_curves
         x, baseline = float(margins.left), 2.0 + metrics.ascent()
         for done, curve in enumerate(reversed(curves)):
             name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
@@ -214,7 +222,7 @@ class Trajectories(PlotCanvas):
             paint_on_ground(painter, place, text, self._theme)
 
     def _value(self, quantity: Quantity, curve: Curve, frame: int) -> str:
-        value = self._painter.series.rows(quantity, curve)[frame]
+        value = self._painter.series.value(quantity, curve, frame)
         if np.isnan(value):
             return "–"
         decimals = DECIMALS.get(self._document.original.unit, 1) + MORE_DECIMALS.get(quantity, 0)
@@ -222,9 +230,11 @@ class Trajectories(PlotCanvas):
 
     def _readout(self, frame: float, row: int) -> Readout:
         at = max(0, min(self._view.frames - 1, int(np.floor(frame))))
-        kind = self._shown[row].quantity.kind
-        columns = [quantity for quantity in self._quantities if quantity.kind == kind]
-        curves = self._bone_curves() if kind == "bone" else tuple(reversed(self._curves()))
+        lane = self._shown[row]
+        kind = lane.quantity.kind
+        quantities = dict.fromkeys(shown.quantity for shown in self._shown)
+        columns = [quantity for quantity in quantities if quantity.kind == kind]
+        curves = lane.curves if kind == "bone" else tuple(reversed(self._shown_curves))
         rows = [
             Row(
                 " – ".join(self._document.names[marker] for marker in curve.markers),

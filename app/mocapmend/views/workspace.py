@@ -81,6 +81,9 @@ class Workspace(PanedWindow):
         document.setParent(self)
         self._jobs = jobs
         self.recorder = Recorder(settings.journal_folder, document.source, self.failed.emit)
+        # No methods: parts that have one of the workspace would keep it when its tab is closed.
+        self.do = partial(_do, document, self.recorder)
+        self.push = partial(_push, document, self.recorder)
         self._journal_timer = QTimer(self)
         self._journal_timer.setInterval(JOURNAL_MS)
         self._journal_timer.timeout.connect(self._look_at_journal)
@@ -309,15 +312,6 @@ class Workspace(PanedWindow):
         if worst is not None:
             self._show_gap(worst)
 
-    def push(self, edits: list[Edit], text: str) -> None:
-        """Make edits, in one undoable step."""
-        self.do(EditSamples(self.document, edits, text))
-
-    def do(self, command: EditSamples) -> None:
-        """Do an undo command."""
-        self.recorder.push(command.text(), command.edits)
-        self.document.undo_stack.push(command)
-
     def _look_at_journal(self) -> None:
         if self.recorder.poll():
             self._journal_timer.stop()
@@ -458,3 +452,14 @@ class Workspace(PanedWindow):
         label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         label.setWordWrap(True)
         return label
+
+
+def _do(document: Document, recorder: Recorder, command: EditSamples) -> None:
+    """Do an undo command, and have it in the journal first."""
+    recorder.push(command.text(), command.edits)
+    document.undo_stack.push(command)
+
+
+def _push(document: Document, recorder: Recorder, edits: list[Edit], text: str) -> None:
+    """Make edits, in one undoable step."""
+    _do(document, recorder, EditSamples(document, edits, text))
