@@ -22,7 +22,6 @@ from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
-from mocapmend.views.frame_icons import TitleIcons
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
@@ -75,7 +74,7 @@ class Workspace(PanedWindow):
         theme: Theme,
         actions: dict[str, QAction],
     ) -> None:
-        super().__init__(settings)
+        super().__init__(settings, theme)
         self.document = document
         document.setParent(self)
         self._jobs = jobs
@@ -119,7 +118,7 @@ class Workspace(PanedWindow):
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._searching: Job | None = None
-        self._arrange(theme)
+        self._arrange()
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.filling.started.connect(self._show_filling)
@@ -180,8 +179,7 @@ class Workspace(PanedWindow):
             part.set_theme(theme)
         if self.analog is not None:
             self.analog.set_theme(theme)
-        for titles in self.findChildren(TitleIcons):
-            titles.set_theme(theme)
+        self.titles.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
@@ -384,7 +382,7 @@ class Workspace(PanedWindow):
 
     # --- arrangement -------------------------------------------------------------------------
 
-    def _arrange(self, theme: Theme) -> None:
+    def _arrange(self) -> None:
         areas = Qt.DockWidgetArea
         if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
@@ -399,8 +397,7 @@ class Workspace(PanedWindow):
         self.setCentralWidget(middle)
         markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
         queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        repair = self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
-        TitleIcons(repair, theme)
+        self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
         timeline = self.dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
