@@ -16,7 +16,10 @@ LARGEST = SIZES[-1]
 
 
 class Display(NamedTuple):
-    """A screen in its pixels, how many of them are one of the window's, and the size of the text."""
+    """A screen, in its pixels, and how many of them the window takes for one of its own.
+
+    The text is so many times as large as the system has it.
+    """
 
     name: str
     width: int
@@ -58,8 +61,9 @@ def _walk(folder: Path, language: str, display: Display) -> None:
             "HOME": home,
             "XDG_DATA_HOME": home,
         }
+        numbers = map(str, (*size, display.text))
         subprocess.run(
-            [sys.executable, "-m", "screens.walk", str(folder), language, *map(str, (*size, display.text))],
+            [sys.executable, "-m", "screens.walk", str(folder), language, *numbers],
             cwd=DOCS,
             env=environment,
             check=True,

@@ -1,9 +1,9 @@
 """Buttons that Qt makes itself are drawn in the colours of the theme."""
 
+from icon_colours import is_of
 from PySide6.QtWidgets import QToolBar, QToolButton
 from pytestqt.qtbot import QtBot
 
-from icon_colours import is_of
 from mocapmend.theme import DARK, LIGHT
 from mocapmend.views.frame_icons import EXTENSION, draw_extension
 

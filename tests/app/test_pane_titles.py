@@ -53,18 +53,14 @@ def test_panes_with_tabs_have_no_title(panes: dict[str, QDockWidget]) -> None:
     assert [name for name, pane in panes.items() if has_title(pane)] == ["repair"]
 
 
-def test_a_pane_that_is_left_alone_has_a_title(
-    panes: dict[str, QDockWidget], qtbot: QtBot
-) -> None:
+def test_a_pane_that_is_left_alone_has_a_title(panes: dict[str, QDockWidget], qtbot: QtBot) -> None:
     panes["markers"].close()
     qtbot.waitUntil(lambda: has_title(panes["queue"]))
     panes["markers"].toggleViewAction().trigger()
     qtbot.waitUntil(lambda: not has_title(panes["queue"]))
 
 
-def test_a_pane_out_of_the_window_has_a_frame(
-    panes: dict[str, QDockWidget], qtbot: QtBot
-) -> None:
+def test_a_pane_out_of_the_window_has_a_frame(panes: dict[str, QDockWidget], qtbot: QtBot) -> None:
     queue = panes["queue"]
     queue.setFloating(True)
     qtbot.waitUntil(lambda: has_title(queue) and has_title(panes["markers"]))

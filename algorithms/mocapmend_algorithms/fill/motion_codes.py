@@ -219,8 +219,8 @@ class _Teller:
             recovery, targets = self._recovery(gap, seen, learn)
             if recovery.examples < LEAST_EXAMPLES:
                 return (
-                    f"only {recovery.examples} stretches show the marker and those that predict "
-                    f"it: this method needs {LEAST_EXAMPLES}"
+                    "the marker and those that predict it are seen together in only "
+                    f"{recovery.examples} of the {LEAST_EXAMPLES} stretches that this method needs"
                 )
             told = self._told(recovery, a, b, ask)
             values[a - start : b - start] = told[:, targets.tolist().index(gap.marker)]

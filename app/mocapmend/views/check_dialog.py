@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QLabel, QTableWidget, QVBoxLayout, QWidge
 from mocapmend.files import CheckReport
 from mocapmend.views.dialogs import table_dialog
 from mocapmend.views.engine_texts import shown
-from mocapmend.views.tables import narrow
+from mocapmend.views.tables import RIGHT, align_right, narrow
 
 translate = QCoreApplication.translate
 MOST_LISTED = 12
@@ -55,12 +55,11 @@ def _arrange(table: QTableWidget) -> None:
     widths = {}
     for column in NUMBERS:
         widths[column] = 16 + max(header.sectionSizeHint(column), table.sizeHintForColumn(column))
-        for item in (
-            table.horizontalHeaderItem(column),
-            *(table.item(row, column) for row in range(table.rowCount())),
-        ):
+        for row in range(table.rowCount()):
+            item = table.item(row, column)
             assert item is not None
-            item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            item.setTextAlignment(RIGHT)
+    align_right(table, NUMBERS)
     narrow(table, widths)
 
 

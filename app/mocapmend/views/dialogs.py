@@ -23,7 +23,7 @@ from mocapmend import __version__
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
 from mocapmend.views.engine_texts import shown
-from mocapmend.views.tables import LEFT, dress, frames_text
+from mocapmend.views.tables import dress, frames_text
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Unfilled
 
@@ -116,10 +116,11 @@ def table_dialog(
     table.setHorizontalHeaderLabels(list(headers))
     table.setAccessibleName(title)
     dress(table)
-    table.horizontalHeader().setDefaultAlignment(LEFT)
     for row, texts in enumerate(rows):
         for column, text in enumerate(texts):
             table.setItem(row, column, QTableWidgetItem(text))
+    if rows:
+        table.selectRow(0)
     table.resizeColumnsToContents()
     table.horizontalHeader().setSectionResizeMode(len(headers) - 1, QHeaderView.ResizeMode.Stretch)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)

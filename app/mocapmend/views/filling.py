@@ -176,7 +176,7 @@ class Filling(QObject):
         filled = len(edits)
         if filled:
             self._push(edits, f"fill {filled} gaps ({way.method})")
-        self.message.emit(self.tr("{0} gaps filled, {1} left open.").format(filled, left))
+        self.message.emit(self.tr("Gaps: {0} filled, {1} left open.").format(filled, left))
         self.done.emit(filled, left)
 
     def _held(self, way: Way, limits: Limits, gaps: list[Gap], known: FillResult) -> FillResult:

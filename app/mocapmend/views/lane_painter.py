@@ -31,7 +31,7 @@ BAND_SIGMAS = 1.6449
 """Half-width of the band in standard deviations per axis: 90 %."""
 BAND, OTHER_BAND = 60, 18
 """Opacity of the band of a preview, and of the other candidates, of 255."""
-LEAST_NUMBERED = 60.0
+LEAST_NUMBERED = 90.0
 """Pixels that a gap takes before the candidates have their numbers: else they lie in a heap."""
 DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
 """Of the candidates by their numbers."""
@@ -234,8 +234,8 @@ class LanePainter:
         pen = QPen(colour, 1)
         pen.setDashPattern(DASHES[(number - 1) % len(DASHES)])
         paint_line(painter, frame, frames, values, pen)
-        # Not all at the same place: neighbours differ in where their numbers stand.
-        at = round((0.25 + 0.5 * (number % 4) / 3) * (len(frames) - 1))
+        # Curves that coincide have their numbers side by side.
+        at = round((0.05 + 0.1 * number) * (len(frames) - 1))
         place = QPointF(float(frame.x(frames[at])), float(frame.y(values[at])))
         across = float(frame.x(frames[-1]) - frame.x(frames[0]))
         if across > LEAST_NUMBERED and np.isfinite(values[at]) and frame.rect.contains(place):

@@ -26,6 +26,8 @@ class PaneTitles(QObject):
         self._around = around
         self._theme = theme
         self._panes: list[QDockWidget] = []
+        self._hidden: dict[QDockWidget, QWidget] = {}
+        """What stands in the place of a title that is not seen."""
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.fit)
@@ -48,12 +50,13 @@ class PaneTitles(QObject):
     def fit(self) -> None:
         """Hide the titles of panes that have a tab, and show the others."""
         for pane in self._panes:
-            hidden = pane.titleBarWidget()
-            if self._has_tab(pane) and hidden is None:
-                pane.setTitleBarWidget(QWidget())
-            elif hidden is not None and not self._has_tab(pane):
-                pane.setTitleBarWidget(None)
-                hidden.deleteLater()
+            if self._has_tab(pane) and pane not in self._hidden:
+                self._hidden[pane] = QWidget()
+                pane.setTitleBarWidget(self._hidden[pane])
+            elif pane in self._hidden and not self._has_tab(pane):
+                # Qt takes None, and does not say so.
+                pane.setTitleBarWidget(None)  # type: ignore[arg-type]
+                self._hidden.pop(pane).deleteLater()
             # Qt has drawn its own anew.
             self._draw(pane)
 

@@ -166,13 +166,13 @@ class QueuePane(QWidget):
 
     def _make_table(self) -> QTableView:
         table = QTableView()
+        dress(table)
         table.setModel(self.model)
         # Before the table sorts: else it does so twice.
         table.horizontalHeader().setSortIndicator(Column.HARM, Qt.SortOrder.DescendingOrder)
         table.setSortingEnabled(True)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Queue of gaps"))
-        dress(table)
         table.setItemDelegateForColumn(Column.MARKER, LabelDelegate(table))
         advance = table.fontMetrics().horizontalAdvance
         header = table.horizontalHeader()
@@ -192,7 +192,7 @@ class QueuePane(QWidget):
         }
         for column, text in widest.items():
             title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
-            # The mark of the sorted column must not lie on its title.
+            # The mark of the sorted column has room beside its title.
             mark = advance("000") if column == Column.HARM else 0
             header.resizeSection(column, max(advance(text), advance(title) + mark) + 14)
         table.clicked.connect(self._go_to)
@@ -263,7 +263,7 @@ class QueuePane(QWidget):
         if self._survey.running and done < all_gaps:
             text = self.tr("{0} gaps · ranked {1} of {2}").format(count, done, all_gaps)
         else:
-            text = self.tr("{0} gaps").format(count)
+            text = self.tr("1 gap") if count == 1 else self.tr("{0} gaps").format(count)
         self._said.setText(text)
 
     def _follow(self, gap: Gap | None) -> None:

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.journal import Abandoned
-from mocapmend.views.tables import LEFT, dress
+from mocapmend.views.tables import RIGHT, dress
 
 EDITS = 1
 """The column of numbers."""
@@ -83,12 +83,9 @@ class RecoveryDialog(QDialog):
                 item = QTableWidgetItem(text)
                 item.setToolTip(str(path))
                 if column == EDITS:
-                    item.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
+                    item.setTextAlignment(RIGHT)
                 table.setItem(row, column, item)
         header = table.horizontalHeader()
-        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         table.selectRow(0)

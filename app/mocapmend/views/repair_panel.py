@@ -314,9 +314,11 @@ class RepairPanel(QScrollArea):
                 if preview.note.get("tested_on") == "all markers"
                 else self.tr("this marker")
             )
-            text += "<br>" + self.tr("Measured on {0} hidden stretches of {1}.").format(
-                tests, where
+            one, more = (
+                self.tr("Measured on 1 hidden stretch of {1}."),
+                self.tr("Measured on {0} hidden stretches of {1}."),
             )
+            text += "<br>" + (one if tests == 1 else more).format(tests, where)
         return text
 
     def _error_text(self, patch: Patch) -> str:

@@ -159,12 +159,12 @@ class RepairTable(QWidget):
 
     def _make_table(self, longest: str) -> QTableView:
         table = _Table()
+        dress(table)
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Repairs"))
-        dress(table)
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         advance = table.fontMetrics().horizontalAdvance
         texts = {

@@ -21,7 +21,7 @@ from mocapmend.action_table import ACTIONS
 from mocapmend.actions import menu_name, submenu_of, text_of
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.shortcuts import Shortcuts
-from mocapmend.views.tables import LEFT, dress
+from mocapmend.views.tables import dress
 
 SIZE = (760, 560)
 
@@ -101,7 +101,6 @@ class ShortcutsDialog(QDialog):
         dress(table)
         table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
         header = table.horizontalHeader()
-        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         table.currentCellChanged.connect(self._show_action)

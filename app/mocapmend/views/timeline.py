@@ -253,7 +253,9 @@ class Timeline(QAbstractScrollArea):
             self._picture = self._paint_picture()
         painter = QPainter(self.viewport())
         painter.drawPixmap(0, 0, self._picture)
-        self._marks.playhead(painter, self._theme, self._view.frame, self.viewport().height())
+        view = self._view
+        self._marks.seconds(painter, self._theme, view.visible, view.frame, view.span)
+        self._marks.playhead(painter, self._theme, view.frame, self.viewport().height())
         painter.end()
 
     def _paint_picture(self) -> QPixmap:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
-from PySide6.QtWidgets import QLabel, QSplitter
+from PySide6.QtWidgets import QLabel, QSizePolicy, QSplitter
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
@@ -268,13 +268,15 @@ class Workspace(PanedWindow):
             self.message.emit(self.tr("This method takes no donors."))
         elif on:
             self.message.emit(self.tr("Click markers to choose donors; D ends it."))
+        elif self.view.picking:
+            self.message.emit("")
         self.view.set_picking(on and self.repair.takes_donors)
 
     def _show_filling(self) -> None:
         self.repair.show_filling(running=self.filling.job is not None)
 
     def _show_done(self, filled: int, left: int) -> None:
-        text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
+        text = self.tr("Gaps: {0} filled, {1} left open.").format(filled, left)
         self.repair.show_outcome(text, open_gaps=bool(left))
 
     def _forget_outcome(self) -> None:
@@ -429,9 +431,10 @@ class Workspace(PanedWindow):
     def _nothing_to_repair(self) -> QLabel:
         source = self.document.source
         held = [self.tr("{0} events").format(len(source.events))] if source.events else []
-        if source.analog_labels:
+        # Without frames there are only the names of channels and outputs.
+        if source.analog_labels and self.document.original.frames:
             held.append(self.tr("{0} analog channels").format(len(source.analog_labels)))
-        if source.model_outputs:
+        if source.model_outputs and self.document.original.frames:
             held.append(self.tr("{0} model outputs").format(len(source.model_outputs)))
         label = QLabel(
             self.tr(
@@ -440,4 +443,8 @@ class Workspace(PanedWindow):
         )
         label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         label.setWordWrap(True)
+        label.setMargin(16)
+        if self.analog is not None:
+            # The channels take the rest of the window.
+            label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         return label

@@ -12,25 +12,42 @@ from mocapmend.views.painters.shot import Array, Shot
 MARGIN = 8.0
 
 
+def place_labels(shot: Shot, places: Array, markers: Iterable[int]) -> dict[int, QRectF]:
+    """Find room for labels beside their markers' places in the picture, shape (markers, 2).
+
+    The current marker has its label, then the other selected ones; one that would lie over
+    another is left out.
+    """
+    labels, metrics = shot.document.names, shot.painter.fontMetrics()
+    wanted = set(markers)
+    selected = [marker for marker in reversed(shot.view.selection) if marker in wanted]
+    found: dict[int, QRectF] = {}
+    for marker in dict.fromkeys((*selected, *sorted(wanted))):
+        x, y = places[marker]
+        if not np.isfinite(x):
+            continue
+        width = metrics.horizontalAdvance(labels[marker])
+        left = x + 10
+        if left + width > shot.width:
+            # On the other side, but never with its beginning out of the picture.
+            left = max(2.0, x - 10 - width)
+        box = QRectF(left, y - 6 - metrics.ascent(), width, metrics.height())
+        if not any(box.intersects(other) for other in found.values()):
+            found[marker] = box
+    return found
+
+
 def paint_labels(shot: Shot, places: Array, markers: Iterable[int]) -> None:
-    """Write labels beside their markers' places in the picture, shape (markers, 2)."""
+    """Write labels beside their markers' places in the picture, as far as they keep apart."""
     labels, selection = shot.document.names, set(shot.view.selection)
-    metrics = shot.painter.fontMetrics()
+    ascent = shot.painter.fontMetrics().ascent()
     text, dim, ground = (QColor(getattr(shot.theme, name)) for name in ("text", "dim", "base"))
     ground.setAlpha(GROUND)
-    for marker in markers:
-        x, y = places[marker]
-        if np.isfinite(x):
-            width = metrics.horizontalAdvance(labels[marker])
-            left = x + 10
-            if left + width > shot.width:
-                # On the other side, but never with its beginning out of the picture.
-                left = max(2.0, x - 10 - width)
-            if marker in selection:
-                box = QRectF(left, y - 6 - metrics.ascent(), width, metrics.height())
-                shot.painter.fillRect(box.adjusted(-2, 0, 2, 0), ground)
-            shot.painter.setPen(text if marker in selection else dim)
-            shot.painter.drawText(QPointF(left, y - 6), labels[marker])
+    for marker, box in place_labels(shot, places, markers).items():
+        if marker in selection:
+            shot.painter.fillRect(box.adjusted(-2, 0, 2, 0), ground)
+        shot.painter.setPen(text if marker in selection else dim)
+        shot.painter.drawText(box.topLeft() + QPointF(0, ascent), labels[marker])
 
 
 def paint_captions(shot: Shot, lines: Sequence[str]) -> None:
