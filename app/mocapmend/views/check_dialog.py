@@ -4,8 +4,17 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QDialog, QLabel, QTableWidget, QVBoxLayout, QWidget
+from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QTableWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from mocapmend.files import CheckReport
 from mocapmend.views.dialogs import table_dialog
@@ -45,8 +54,30 @@ def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckRe
     verdict.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     layout = dialog.layout()
     assert isinstance(layout, QVBoxLayout)
-    layout.insertWidget(0, verdict)
+    layout.insertWidget(0, _Scrolled(verdict))
     return dialog
+
+
+class _Scrolled(QScrollArea):
+    """Shows a text whole where there is room, and else a part of it."""
+
+    def __init__(self, text: QLabel) -> None:
+        super().__init__()
+        self._text = text
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self.setWidgetResizable(True)
+        self.setWidget(text)
+        text.setAlignment(Qt.AlignmentFlag.AlignTop)
+
+    def sizeHint(self) -> QSize:
+        return QSize(0, self._text.heightForWidth(self.width()))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
 
 
 def _arrange(table: QTableWidget) -> None:

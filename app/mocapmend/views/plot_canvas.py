@@ -144,7 +144,7 @@ class PlotCanvas(QWidget):
             self._view, margins.left, lambda: self.width() - margins.left - margins.right
         )
         self.setMinimumSize(
-            QSize(4 * margins.left, margins.top + 2 * margins.least + margins.bottom)
+            QSize(2 * margins.left, margins.top + 2 * margins.least + margins.bottom)
         )
 
     # --- painting ----------------------------------------------------------------------------

@@ -16,7 +16,9 @@ from PySide6.QtWidgets import (
 
 from mocapmend.journal import Abandoned
 from mocapmend.views.tables import RIGHT, dress
+from mocapmend.views.text_scale import fit_text
 
+SIZE = (560, 260)
 EDITS = 1
 """The column of numbers."""
 
@@ -66,7 +68,7 @@ class RecoveryDialog(QDialog):
         # Not before: a button is the default one of the dialog that it is in.
         self.recover_button.setDefault(True)
         self._table.setFocus()
-        self.resize(560, 260)
+        fit_text(self, *SIZE)
 
     def _make_table(self) -> QTableWidget:
         headers = [self.tr("Recording"), self.tr("Edits"), self.tr("Last edit")]

@@ -5,7 +5,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QGroupBox,
@@ -33,6 +33,8 @@ from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.registry import METHODS
 
 PANEL_WIDTH = 270
+MOST_OF_SCREEN = 0.3
+"""Of its width, that the panel takes for itself."""
 MOST_DONORS = 6
 """That are listed: the methods name the best ones first."""
 
@@ -69,7 +71,6 @@ class RepairPanel(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(8, 2, 8, 2)
@@ -78,8 +79,8 @@ class RepairPanel(QScrollArea):
         layout.addWidget(self._make_all_box(actions))
         layout.addStretch(1)
         self.setWidget(body)
-        room = self.verticalScrollBar().sizeHint().width() + 2
-        self.setMinimumWidth(max(PANEL_WIDTH, body.minimumSizeHint().width() + room))
+        self._body = body
+        self._take_room()
         self._show_method()
         view.selection_changed.connect(self._offer_donors)
         view.gap_changed.connect(self._offer_donors)
@@ -88,6 +89,19 @@ class RepairPanel(QScrollArea):
         view.picked.connect(self._pick)
         document.samples_changed.connect(self._show_gap)
         self._show_gap()
+
+    def _take_room(self) -> None:
+        """Be as wide as what is in it, unless that is much of the screen: then it is scrolled."""
+        room = self.verticalScrollBar().sizeHint().width() + 2
+        wanted = self._body.minimumSizeHint().width() + room
+        most = round(MOST_OF_SCREEN * self.screen().size().width())
+        self.setMinimumWidth(max(PANEL_WIDTH, min(wanted, most)))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and self.widget() is not None:
+            # Later, when the fields have the new text too.
+            QTimer.singleShot(0, self, self._take_room)
 
     # --- what it asks for --------------------------------------------------------------------
 

@@ -99,7 +99,7 @@ class BonesPage(QWidget):
             f'<span style="color:{measured}">╌╌ ' + self.tr("measured (dashed)") + "</span>",
             f'<span style="color:{repaired}">━━ ' + self.tr("repaired (solid)") + "</span>",
         )
-        self.plot.setTitle(" &nbsp; ".join(legend), size="9pt", color=self._theme.dim)
+        self.plot.say(" &nbsp; ".join(legend), self._theme.dim)
 
 
 def _percent(value: float) -> str:

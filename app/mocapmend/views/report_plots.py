@@ -3,7 +3,7 @@
 import numpy as np
 import pyqtgraph
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor
 
 from mocapmend.document import Document
@@ -26,6 +26,7 @@ class ReportPlot(pyqtgraph.PlotWidget):  # type: ignore[misc]
     def __init__(self, document: Document, label: str) -> None:
         super().__init__()
         self._frames, self._rate = document.original.frames, document.original.rate
+        self._title = ("", "")
         self._playhead = pyqtgraph.InfiniteLine(angle=90)
         item = self.getPlotItem()
         # Before any curve is added, and with X fixed: otherwise nothing is clipped.
@@ -46,6 +47,16 @@ class ReportPlot(pyqtgraph.PlotWidget):  # type: ignore[misc]
             self.getAxis(side).setPen(theme.line)
             self.getAxis(side).setTextPen(theme.dim)
         self._playhead.setPen(pyqtgraph.mkPen(theme.playhead, width=1))
+
+    def say(self, title: str, colour: str) -> None:
+        """Write a title, which may hold HTML, as large as other texts."""
+        self._title = title, colour
+        self.setTitle(title, size=f"{self.fontInfo().pointSizeF():g}pt", color=colour)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and self._title[0]:
+            self.say(*self._title)
 
     def start(self) -> None:
         """Take away the curves."""

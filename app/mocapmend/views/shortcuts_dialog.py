@@ -22,6 +22,7 @@ from mocapmend.actions import menu_name, submenu_of, text_of
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.shortcuts import Shortcuts
 from mocapmend.views.tables import dress
+from mocapmend.views.text_scale import fit_text
 
 SIZE = (760, 560)
 
@@ -83,7 +84,7 @@ class ShortcutsDialog(QDialog):
         layout.addWidget(self.answer)
         layout.addWidget(self._mouse_help())
         layout.addWidget(buttons)
-        self.resize(*SIZE)
+        fit_text(self, *SIZE)
         self._fill()
 
     @property

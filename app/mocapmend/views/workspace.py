@@ -37,12 +37,17 @@ from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.survey import Survey
+from mocapmend.views.text_scale import scaled
 from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
 TAB_HEIGHT = 36
+MARKERS_WIDTH, REPAIR_WIDTH = (336, 460), (280, 400)
+"""Of the panes at the sides, from where they can be read to where all of it can."""
+SIDE, MOST_SIDE = 0.2, 0.3
+"""Shares of the window that they take, and that they take at most when texts are large."""
 BEGIN_MS = 50
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
@@ -423,10 +428,16 @@ class Workspace(PanedWindow):
 
     def _size_panes(self) -> None:
         markers, _, repair, timeline, *_ = self.panes()
-        self.resizeDocks([markers, repair], [320, 280], Qt.Orientation.Horizontal)
+        widths = [self._width_of(*limits) for limits in (MARKERS_WIDTH, REPAIR_WIDTH)]
+        self.resizeDocks([markers, repair], widths, Qt.Orientation.Horizontal)
         height = min(self.timeline.sizeHint().height(), self.height() // 4) + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self.remember_first_layout()
+
+    def _width_of(self, least: int, most: int) -> int:
+        """Return the width of a side pane: a share of the window, within what its text needs."""
+        share = max(scaled(self, least), min(scaled(self, most), round(SIDE * self.width())))
+        return min(share, round(MOST_SIDE * self.width()))
 
     def _nothing_to_repair(self) -> QLabel:
         source = self.document.source
