@@ -74,6 +74,11 @@ class Callout(QWidget):
         self.raise_()
         self.update()
 
+    @property
+    def points(self) -> bool:
+        """Whether it points at something that is seen."""
+        return self._tip is not None
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.Resize, QEvent.Type.FontChange) and self.isVisible():
             self.point_at(self._target)

@@ -126,6 +126,17 @@ def mixed(under: str, over: str, alpha: float = 1.0) -> QColor:
     return QColor(*(round(one + (other - one) * share) for one, other in pairs))
 
 
+def thin(
+    painter: QPainter, colour: QColor | str, style: Qt.PenStyle = Qt.PenStyle.SolidLine
+) -> QPen:
+    """Make a pen for lines that are equally thick wherever they are.
+
+    One pixel of the window is 1.5 of some screens: a line of that width takes one here, two there.
+    """
+    ratio = painter.device().devicePixelRatioF()
+    return QPen(QColor(colour), max(1, round(ratio)) / ratio, style)
+
+
 def paint_line(
     painter: QPainter,
     frame: Frame,
@@ -152,7 +163,7 @@ def paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
     line = metrics.height()
     marks, decimals = ticks(frame.low, frame.high, max(1, int(rect.height() / (1.5 * line))))
     heights = frame.y(marks).tolist()
-    painter.setPen(QColor(theme.raised))
+    painter.setPen(thin(painter, theme.raised))
     painter.drawLines([QLineF(rect.left(), y, rect.right(), y) for y in heights])
     painter.setPen(QColor(theme.dim))
     middle = metrics.ascent() - line / 2
@@ -161,7 +172,7 @@ def paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
             text = mark_text(mark, decimals)
             x = rect.left() - 6 - metrics.horizontalAdvance(text)
             painter.drawText(QPointF(x, y + middle), text)
-    painter.setPen(QColor(theme.line))
+    painter.setPen(thin(painter, theme.line))
     painter.drawRect(rect)
 
 
@@ -203,6 +214,6 @@ def paint_span(
     shade = QColor(theme.accent)
     shade.setAlpha(50)
     painter.fillRect(QRectF(left, area.top(), right - left, area.height()), shade)
-    painter.setPen(QPen(QColor(theme.accent), 1, Qt.PenStyle.DashLine))
+    painter.setPen(thin(painter, theme.accent, Qt.PenStyle.DashLine))
     painter.drawLines([QLineF(x, area.top(), x, area.bottom()) for x in (left, right)])
     painter.restore()

@@ -20,6 +20,7 @@ from mocapmend.views.lane import (
     paint_line,
     paint_message,
     paint_on_ground,
+    thin,
     value_range,
 )
 from mocapmend.views.quantities import Curve, Quantity, Series
@@ -135,7 +136,7 @@ class LanePainter:
         message = self._message(lane)
         self._paint_background(painter, frame, lane)
         if message:
-            painter.setPen(QColor(self.theme.line))
+            painter.setPen(thin(painter, self.theme.line))
             painter.drawRect(rect)
             paint_message(painter, rect, message, self.theme)
         else:
@@ -144,7 +145,7 @@ class LanePainter:
         visible, width = (frame.start, frame.stop), int(rect.width())
         for curve in lane.curves:
             share = 1.0 if curve is lane.curves[-1] else BEHIND
-            pen = QPen(mixed(self.theme.base, curve.colour, share), 1)
+            pen = thin(painter, mixed(self.theme.base, curve.colour, share))
             paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
             self._paint_fills(painter, frame, quantity, curve)
         for number, other in others:
@@ -231,7 +232,7 @@ class LanePainter:
             return
         colour = QColor(self.theme.candidate)
         self._paint_band(painter, frame, lane, candidate, colour, OTHER_BAND)
-        pen = QPen(colour, 1)
+        pen = thin(painter, colour)
         pen.setDashPattern(DASHES[(number - 1) % len(DASHES)])
         paint_line(painter, frame, frames, values, pen)
         # Curves that coincide have their numbers side by side.

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 
 from mocapmend.theme import Theme
 from mocapmend.views.gap_arrows import ARROW, HINT, paint_arrow
-from mocapmend.views.lane import ticks
+from mocapmend.views.lane import thin, ticks
 from mocapmend.views.lane_layout import LaneLayout
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend_algorithms import Gap, Recording
@@ -60,7 +60,7 @@ class TimelineMarks:
     def ruler(self, painter: QPainter, theme: Theme, visible: tuple[float, float]) -> None:
         """Draw a mark at round seconds since the first frame."""
         bottom = self._layout.ruler
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(thin(painter, theme.dim))
         for place, _ in self._seconds(painter.fontMetrics(), visible):
             x = place.left() - 3
             painter.drawLine(QPointF(x, bottom - 5), QPointF(x, bottom - 1))
@@ -108,7 +108,7 @@ class TimelineMarks:
         veil = QColor(theme.accent)
         veil.setAlpha(50)
         painter.fillRect(QRectF(left, 0, right - left, height), veil)
-        painter.setPen(QPen(QColor(theme.accent), 1, Qt.PenStyle.DashLine))
+        painter.setPen(thin(painter, theme.accent, Qt.PenStyle.DashLine))
         for frame, x in zip(span, (left, right), strict=True):
             if x == self._axis.x_of(frame):
                 painter.drawLine(QPointF(x, 0), QPointF(x, height))
@@ -193,7 +193,7 @@ class TimelineMarks:
         if flag.isEmpty():
             return
         x = self._axis.x_of(frame + 0.5)
-        painter.setPen(QPen(QColor(theme.playhead), 1))
+        painter.setPen(thin(painter, theme.playhead))
         painter.drawLine(QPointF(x, 0), QPointF(x, height))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.accent))
