@@ -23,8 +23,6 @@ from mocapmend.views.tables import RIGHT, align_right, narrow
 
 translate = QCoreApplication.translate
 MOST_LISTED = 12
-LEAST_ROWS = 4
-"""That are seen of the changed samples, with their titles."""
 NUMBERS = (1, 2, 3)
 """Columns that are aligned at the right."""
 
@@ -47,9 +45,6 @@ def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckRe
     table = dialog.findChild(QTableWidget)
     assert table is not None
     _arrange(table)
-    # The verdict has what it needs first, and the rows have the rest.
-    table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-    table.setMinimumHeight(LEAST_ROWS * table.verticalHeader().defaultSectionSize())
     if not rows:
         table.hide()
         dialog.resize(dialog.width(), 0)
@@ -81,8 +76,9 @@ class _Scrolled(QScrollArea):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
-            self.updateGeometry()
+        # What is below it must not take it all.
+        self.setMinimumHeight(min(self.sizeHint().height(), self.window().height() // 2))
+        self.updateGeometry()
 
 
 def _arrange(table: QTableWidget) -> None:
