@@ -16,6 +16,8 @@ LEAST_SPAN = 1e-5
 """Of values about 1, in the recording's unit; greater values have more."""
 GROUND = 190
 """Opacity of the ground behind texts that lie over curves, of 255."""
+MOST_MARKS = 12
+"""At an axis: more are hard to read, however high the plot is."""
 WIDEST_MARK = "−88888.8"
 
 
@@ -161,7 +163,8 @@ def paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
     """Draw the lines of round values with their numbers, and the frame around the plot."""
     rect, metrics = frame.rect, painter.fontMetrics()
     line = metrics.height()
-    marks, decimals = ticks(frame.low, frame.high, max(1, int(rect.height() / (1.5 * line))))
+    about = max(1, min(MOST_MARKS, int(rect.height() / (1.5 * line))))
+    marks, decimals = ticks(frame.low, frame.high, about)
     heights = frame.y(marks).tolist()
     painter.setPen(thin(painter, theme.raised))
     painter.drawLines([QLineF(rect.left(), y, rect.right(), y) for y in heights])

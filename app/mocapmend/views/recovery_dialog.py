@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.journal import Abandoned
-from mocapmend.views.tables import RIGHT, dress
+from mocapmend.views.tables import RIGHT, align_right, dress
 from mocapmend.views.text_scale import fit_text
 
 SIZE = (560, 260)
@@ -87,6 +87,7 @@ class RecoveryDialog(QDialog):
                 if column == EDITS:
                     item.setTextAlignment(RIGHT)
                 table.setItem(row, column, item)
+        align_right(table, (EDITS,))
         header = table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
