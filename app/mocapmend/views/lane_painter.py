@@ -32,6 +32,7 @@ BAND_SIGMAS = 1.6449
 """Half-width of the band in standard deviations per axis: 90 %."""
 BAND, OTHER_BAND = 60, 18
 """Opacity of the band of a preview, and of the other candidates, of 255."""
+WIDEST_VALUE = "00000 "
 LEAST_NUMBERED = 90.0
 """Pixels that a gap takes before the candidates have their numbers: else they lie in a heap."""
 DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
@@ -166,9 +167,12 @@ class LanePainter:
     def _paint_title(self, painter: QPainter, rect: QRectF, lane: Lane) -> None:
         is_place = lane.quantity.kind == "position"
         painter.setPen(QColor(AXIS_COLOURS[lane.quantity.row] if is_place else self.theme.dim))
-        baseline = rect.top() + 2 + painter.fontMetrics().ascent()
-        place = QPointF(rect.left() + 5, baseline)
-        paint_on_ground(painter, place, self.title(lane), self.theme)
+        metrics = painter.fontMetrics()
+        place = QPointF(rect.left() + 5, rect.top() + 2 + metrics.ascent())
+        # The value at the playhead stands at the right.
+        room = rect.width() - 10 - (0 if is_place else metrics.horizontalAdvance(WIDEST_VALUE))
+        title = metrics.elidedText(self.title(lane), Qt.TextElideMode.ElideRight, int(room))
+        paint_on_ground(painter, place, title, self.theme)
 
     def _paint_background(self, painter: QPainter, frame: Frame, lane: Lane) -> None:
         """Fill a lane, shaded where the marker worked on is missing or filled."""

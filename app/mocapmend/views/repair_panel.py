@@ -33,7 +33,7 @@ from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.registry import METHODS
 
 PANEL_WIDTH = 270
-MOST_OF_SCREEN = 0.3
+MOST_OF_SCREEN = 0.32
 """Of its width, that the panel takes for itself."""
 MOST_DONORS = 6
 """That are listed: the methods name the best ones first."""

@@ -79,7 +79,7 @@ class ScenePicture(QWidget):
         self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
         self._box: QRectF | None = None
-        self.setMinimumSize(QSize(220, 160))
+        self.setMinimumSize(QSize(200, 160))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("3D marker view"))
