@@ -236,8 +236,7 @@ def test_a_training_set_alone_may_be_enough_and_gets_the_lengths_of_the_recordin
     refused = fill(raw)
     assert not refused.patches
     reason = (
-        "the marker and those that predict it are seen together in only 0 of the 10 stretches "
-        "that this method needs"
+        "this method needs 10 stretches that show the marker and those that predict it, and has 0"
     )
     assert {one.reason for one in refused.unfilled} == {reason}
     result = fill(raw, training=training, keep_bones="false")
@@ -310,8 +309,7 @@ def test_too_few_stretches_are_named():
     points[np.arange(300) % 4 > 0, 2] = np.nan
     told = reason(points, Gap(2, 101, 104))
     assert told == (
-        "the marker and those that predict it are seen together in only 0 of the 10 stretches "
-        "that this method needs"
+        "this method needs 10 stretches that show the marker and those that predict it, and has 0"
     )
 
 

@@ -310,8 +310,14 @@ class TestInChinese:
 
     def test_texts_that_qt_lacks_are_ours(self) -> None:
         for text in QT:
-            contexts = ("QFileDialog", "QAbstractFileIconProvider")
+            contexts = (
+                "QFileDialog",
+                "QAbstractFileIconProvider",
+                "QFileSystemModel",
+                "QKeySequenceEdit",
+            )
             assert any(QCoreApplication.translate(each, text) != text for each in contexts)
+        assert QCoreApplication.translate("QFileSystemModel", "Size") == "大小"
 
 
 def test_segments_of_the_templates_are_in_the_catalogue() -> None:

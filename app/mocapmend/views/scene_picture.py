@@ -234,10 +234,11 @@ class ScenePicture(QWidget):
         places = shot.pixels.copy()
         if ghost is not None:
             places[ghost[0]] = ghost[1]
+        names = []
         if "segments" in layers:
-            paint_segment_names(shot, skeleton.segments)
-        everyone = range(len(places))
-        paint_labels(shot, places, everyone if "labels" in layers else self._view.selection)
+            names = paint_segment_names(shot, skeleton.segments)
+        labelled = range(len(places)) if "labels" in layers else self._view.selection
+        paint_labels(shot, places, labelled, names)
         paint_axes(shot)
         captions = []
         if self._view.picking:

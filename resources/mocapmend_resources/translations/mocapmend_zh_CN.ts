@@ -3975,8 +3975,8 @@
         <translation>在缺失段的部分时间里，出现得足够多的其他标记点少于 {0} 个：此方法没有足够的依据来推断姿态</translation>
     </message>
     <message>
-        <source>the marker and those that predict it are seen together in only {0} of the {1} stretches that this method needs</source>
-        <translation>该标记点与用来预测它的标记点一起出现的片段只有 {0} 个：此方法需要 {1} 个</translation>
+        <source>this method needs {0} stretches that show the marker and those that predict it, and has {1}</source>
+        <translation>此方法需要 {0} 个同时有该标记点和用来预测它的标记点的片段，而只有 {1} 个</translation>
     </message>
     <message>
         <source>it takes {0} donors and was given {1}</source>

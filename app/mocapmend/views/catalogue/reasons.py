@@ -110,8 +110,8 @@ REASONS = (
     ),
     QT_TRANSLATE_NOOP(
         "Sentences",
-        "the marker and those that predict it are seen together in only {0} of the {1} stretches "
-        "that this method needs",
+        "this method needs {0} stretches that show the marker and those that predict it, and has "
+        "{1}",
     ),
     QT_TRANSLATE_NOOP("Sentences", "the recording is too short for the windows of this method"),
     QT_TRANSLATE_NOOP("Sentences", "there is no marker {0} to take as a donor"),

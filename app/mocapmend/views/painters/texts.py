@@ -13,11 +13,13 @@ from mocapmend.views.painters.shot import Array, Shot
 MARGIN = 8.0
 
 
-def place_labels(shot: Shot, places: Array, markers: Iterable[int]) -> dict[int, QRectF]:
+def place_labels(
+    shot: Shot, places: Array, markers: Iterable[int], others: Sequence[QRectF] = ()
+) -> dict[int, QRectF]:
     """Find room for labels beside their markers' places in the picture, shape (markers, 2).
 
     The current marker has its label first, then the other selected ones, at another side where
-    there is more room; a label that would lie over another is left out.
+    there is more room; a label that would lie over another, or over other texts, is left out.
     """
     labels, metrics = shot.document.names, shot.painter.fontMetrics()
     wanted = set(markers)
@@ -31,7 +33,8 @@ def place_labels(shot: Shot, places: Array, markers: Iterable[int]) -> dict[int,
         if marker not in shot.view.selection:
             # Those of all markers would jump about while the body moves.
             boxes = boxes[:1]
-        free = (box for box in boxes if not any(map(box.intersects, found.values())))
+        taken = (*others, *found.values())
+        free = (box for box in boxes if not any(map(box.intersects, taken)))
         box = next(free, None)
         if box is not None:
             found[marker] = box
@@ -49,13 +52,15 @@ def _boxes_beside(place: Array, width: int, metrics: QFontMetrics, room: int) ->
     return [QRectF(left, top, width, metrics.height()) for top in tops for left in lefts]
 
 
-def paint_labels(shot: Shot, places: Array, markers: Iterable[int]) -> None:
+def paint_labels(
+    shot: Shot, places: Array, markers: Iterable[int], others: Sequence[QRectF] = ()
+) -> None:
     """Write labels beside their markers' places in the picture, as far as they keep apart."""
     labels, selection = shot.document.names, set(shot.view.selection)
     metrics = shot.painter.fontMetrics()
     ink, dim, ground = (QColor(getattr(shot.theme, name)) for name in ("text", "dim", "base"))
     ground.setAlpha(GROUND)
-    for marker, box in place_labels(shot, places, markers).items():
+    for marker, box in place_labels(shot, places, markers, others).items():
         if marker in selection:
             shot.painter.fillRect(box.adjusted(-2, 0, 2, 0), ground)
         shot.painter.setPen(ink if marker in selection else dim)
