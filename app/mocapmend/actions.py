@@ -63,6 +63,8 @@ def make_actions(parent: QObject) -> Mapping[str, QAction]:
         action = QAction(text_of(spec), parent)
         action.setObjectName(spec.id)
         action.setCheckable(spec.checkable)
+        # Menus show a box to be ticked, like those of the others.
+        action.setIconVisibleInMenu(not spec.checkable)
         set_keys(spec, action, standard_keys(spec))
         made[spec.id] = action
     return made

@@ -8,23 +8,32 @@ import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
+from mocapmend.views.appearance import SIZES
+
 DOCS = Path(__file__).resolve().parent.parent
 LANGUAGES = ("en", "zh_CN")
+LARGEST = SIZES[-1]
 
 
 class Display(NamedTuple):
-    """A screen, in its pixels, and how many of them the window takes for one of its own."""
+    """A screen, in its pixels, and how many of them the window takes for one of its own.
+
+    The text is so many times as large as the system has it.
+    """
 
     name: str
     width: int
     height: int
     scale: float
+    text: float = 1.0
 
 
 DISPLAYS = (
     Display("1280x720", 1280, 720, 1.0),
     Display("4k", 3840, 2160, 2.0),
     Display("4k-at-1.5", 3840, 2160, 1.5),
+    Display("1280x720-large", 1280, 720, 1.0, LARGEST),
+    Display("4k-large", 3840, 2160, 2.0, LARGEST),
 )
 
 
@@ -52,8 +61,9 @@ def _walk(folder: Path, language: str, display: Display) -> None:
             "HOME": home,
             "XDG_DATA_HOME": home,
         }
+        numbers = map(str, (*size, display.text))
         subprocess.run(
-            [sys.executable, "-m", "screens.walk", str(folder), language, *map(str, size)],
+            [sys.executable, "-m", "screens.walk", str(folder), language, *numbers],
             cwd=DOCS,
             env=environment,
             check=True,

@@ -187,3 +187,16 @@ def plots(stage: Stage) -> None:
     stage.switch(same_scale=False)
     stage.do("select_none")
     stage.shoot("nothing_selected")
+
+
+def floating(stage: Stage) -> None:
+    """Take panes out of the window: one with a title of its own, and one that shared a place."""
+    workspace = stage.workspace
+    for content, name in ((workspace.repair, "repair"), (workspace.queue, "queue")):
+        pane = next(each for each in workspace.panes() if each.widget() is content)
+        pane.setFloating(True)
+        pane.move(stage.window.width() // 3, 120)
+        settle()
+        stage.shoot(f"floating_{name}")
+        pane.setFloating(False)
+    stage.do("first_layout")

@@ -11,9 +11,9 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QSettings, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPixmap
-from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QDockWidget, QWidget
 
-from mocapmend.settings import LANGUAGE, Settings
+from mocapmend.settings import LANGUAGE, TEXT_SIZE, Settings
 from mocapmend.views import language
 from mocapmend.views.application import make_application
 from mocapmend.views.main_window import MainWindow
@@ -72,10 +72,18 @@ class Stage:
         Of the window, in its own pixels.
     themes : sequence of str
         Each picture is taken in all of these.
+    text : float
+        Size of the text as a multiple of what the system has.
     """
 
     def __init__(
-        self, folder: Path, home: Path, chosen: str, size: tuple[int, int], themes: Sequence[str]
+        self,
+        folder: Path,
+        home: Path,
+        chosen: str,
+        size: tuple[int, int],
+        themes: Sequence[str],
+        text: float = 1.0,
     ) -> None:
         self.app = QApplication.instance() or make_application()
         self.folder = folder
@@ -83,6 +91,7 @@ class Stage:
         self.themes = themes
         self.settings = Settings(QSettings(str(home / "settings.ini"), QSettings.Format.IniFormat))
         self.settings.set(LANGUAGE, chosen)
+        self.settings.set(TEXT_SIZE, text)
         language.install(self.app, self.settings)
         self.window = MainWindow(self.settings)
         self.window.setGeometry(QRect(QPoint(0, 0), QPoint(size[0] - 1, size[1] - 1)))
@@ -225,7 +234,7 @@ class Stage:
         place = QRect(each.pos() - self.window.pos(), each.size())
         picture: QPixmap = each.grab()
         painter.drawPixmap(place.topLeft(), picture)
-        if not isinstance(each, QDialog):
+        if not isinstance(each, QDialog | QDockWidget):
             return
         bar = QRect(place.left(), place.top() - TITLE, place.width(), TITLE)
         painter.fillRect(bar, QColor("#55606e"))

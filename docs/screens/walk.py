@@ -4,23 +4,24 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from screens import around, dialogs, panes, space
+from screens import around, bare, dialogs, panes, space
 from screens.proofread import Proofreader
 from screens.stage import Stage
 
 THEMES = ("dark", "light")
 
 
-def walk(folder: Path, language: str, size: tuple[int, int]) -> None:
-    """Take all pictures."""
+def walk(folder: Path, language: str, size: tuple[int, int], text: float) -> None:
+    """Take all pictures, with texts that are so many times as large."""
     with tempfile.TemporaryDirectory() as home:
-        stage = Stage(folder, Path(home), language, size, THEMES)
+        stage = Stage(folder, Path(home), language, size, THEMES, text)
         reader = Proofreader(chinese=language.startswith("zh"))
         stage.looks.append(reader.look)
         panes.welcome(stage)
         around.menus(stage, "empty")
         dialogs.of_the_window(stage)
         dialogs.of_files(stage)
+        bare.bare(stage)
         around.tour(stage)
         panes.repairing(stage)
         panes.filling(stage)
@@ -29,6 +30,7 @@ def walk(folder: Path, language: str, size: tuple[int, int]) -> None:
         panes.time(stage)
         around.menus(stage, "open")
         panes.plots(stage)
+        panes.floating(stage)
         space.space(stage)
         dialogs.of_a_recording(stage)
         stage.close_all()
@@ -45,9 +47,10 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("language")
     parser.add_argument("size", type=int, nargs=2)
+    parser.add_argument("text", type=float)
     arguments = parser.parse_args()
     width, height = arguments.size
-    walk(arguments.folder, arguments.language, (width, height))
+    walk(arguments.folder, arguments.language, (width, height), arguments.text)
 
 
 if __name__ == "__main__":

@@ -235,9 +235,10 @@ def test_a_training_set_alone_may_be_enough_and_gets_the_lengths_of_the_recordin
     raw = lose(recording, THREE, 20, 300)
     refused = fill(raw)
     assert not refused.patches
-    assert {one.reason for one in refused.unfilled} == {
-        "only 0 stretches show the marker and those that predict it: this method needs 10"
-    }
+    reason = (
+        "this method needs 10 stretches that show the marker and those that predict it, and has 0"
+    )
+    assert {one.reason for one in refused.unfilled} == {reason}
     result = fill(raw, training=training, keep_bones="false")
     points = repaired(raw, result)
     # Bones have other lengths in the training set by up to 40 %, that is 100 mm or so.
@@ -308,7 +309,7 @@ def test_too_few_stretches_are_named():
     points[np.arange(300) % 4 > 0, 2] = np.nan
     told = reason(points, Gap(2, 101, 104))
     assert told == (
-        "only 0 stretches show the marker and those that predict it: this method needs 10"
+        "this method needs 10 stretches that show the marker and those that predict it, and has 0"
     )
 
 

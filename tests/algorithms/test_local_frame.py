@@ -166,7 +166,7 @@ def test_too_few_donors_are_said():
     recording = punched(body(200, 6), [GAP])
     for method in ("rigid", "local-frame"):
         reason = refused(method, recording, donors="M1,M2")
-        assert reason == "it takes 3 donors, and 2 are given"
+        assert reason == "it takes 3 donors and was given 2"
     few = punched(body(200, 3), [GAP])
     lonely = punched(body(200, 1), [GAP])
     seen = "seen throughout the gap and at its edges, and it takes"

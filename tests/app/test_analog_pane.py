@@ -205,3 +205,16 @@ def test_a_file_of_analog_data_alone_shows_them(
     assert pane is not None
     qtbot.waitUntil(lambda: bool(pane._read))
     assert pane.isVisible()
+
+
+def test_the_channels_of_a_file_without_markers_take_the_window(
+    open_in: Callable[[Path], MainWindow], tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "analog_only.c3d"
+    analog = np.ones((FRAMES, SAMPLES, CHANNELS))
+    path.write_bytes(encode(Synthetic(np.empty((FRAMES, 0, 3)), analog=analog)))
+    workspace = open_in(path).workspace
+    assert workspace is not None
+    assert workspace.analog is not None
+    qtbot.waitUntil(lambda: workspace.analog.height() > 0.6 * workspace.height())
+    assert workspace.panes()[0].titleBarWidget() is None

@@ -9,10 +9,14 @@ from PySide6.QtGui import QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication, QLabel, QTableView
 from pytestqt.qtbot import QtBot
 
+from mocapmend.document import Document
 from mocapmend.settings import TEXT_SIZE, THEME, Settings
 from mocapmend.theme import DARK, LIGHT
 from mocapmend.views.appearance import SIZES, Appearance
 from mocapmend.views.main_window import MainWindow
+from mocapmend.views.recovery_dialog import RecoveryDialog
+from mocapmend.views.report_plots import ReportPlot
+from mocapmend.views.shortcuts_dialog import ShortcutsDialog
 
 SCHEMES = Qt.ColorScheme
 
@@ -144,3 +148,57 @@ def test_tables_and_panes_grow_with_their_text(
     assert table.columnWidth(1) >= width * 1.3
     window.appearance.step_text(0)
     qtbot.waitUntil(lambda: (table.rowHeight(0), table.columnWidth(1)) == (height, width))
+
+
+@pytest.fixture
+def largest(settings: Settings) -> Settings:
+    """Return settings with the largest text."""
+    settings.set(TEXT_SIZE, SIZES[-1])
+    return settings
+
+
+def test_the_window_fits_a_small_screen_with_the_largest_text(
+    largest: Settings, open_in: Callable[[Path], MainWindow], sprint: Path, qtbot: QtBot
+) -> None:
+    window = open_in(sprint)
+    assert window.workspace is not None
+    qtbot.waitUntil(lambda: window.workspace.arranged)
+    least = window.minimumSizeHint()
+    assert least.width() <= 1280
+    assert least.height() <= 720
+
+
+def test_dialogs_grow_with_the_text_but_not_beyond_the_screen(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    normal = RecoveryDialog(window, []).size()
+    window.appearance.step_text(1)
+    grown = RecoveryDialog(window, []).size()
+    assert grown.width() > normal.width()
+    assert grown.height() > normal.height()
+    for _ in SIZES:
+        window.appearance.step_text(1)
+    room = window.screen().availableSize()
+    assert RecoveryDialog(window, []).size().boundedTo(room) == RecoveryDialog(window, []).size()
+    assert ShortcutsDialog(window.shortcuts, window).width() < room.width()
+
+
+def test_icons_grow_with_the_text_and_are_drawn_in_their_size(window: MainWindow) -> None:
+    normal = window.toolbar.iconSize()
+    for _ in SIZES:
+        window.appearance.step_text(1)
+    assert window.toolbar.iconSize() == SIZES[-1] * normal
+    assert window.transport.button.iconSize() == SIZES[-1] * normal
+    drawn = window.actions_by_id["open"].icon().availableSizes()
+    assert window.toolbar.iconSize() * window.devicePixelRatioF() in drawn
+
+
+def test_titles_in_the_report_are_as_large_as_other_texts(document: Document, qtbot: QtBot) -> None:
+    plot = ReportPlot(document, "%")
+    qtbot.addWidget(plot)
+    plot.say("title", "#ffffff")
+    for size in (9.0, 18.0):
+        font = plot.font()
+        font.setPointSizeF(size)
+        plot.setFont(font)
+        assert f"font-size:{size:g}pt" in plot.getPlotItem().titleLabel.item.toHtml()

@@ -83,15 +83,16 @@ def test_a_truncated_file_opens_and_is_saved_only_after_a_yes(
 
 
 def test_a_file_cut_before_its_first_frame_is_shown_as_empty(
-    open_in: Open, sprint: Path, tmp_path: Path
+    open_in: Open, gait: Path, tmp_path: Path
 ) -> None:
     path = tmp_path / "no_frames.c3d"
-    path.write_bytes(sprint.read_bytes()[: read_c3d(sprint).layout.data_start])
+    path.write_bytes(gait.read_bytes()[: read_c3d(gait).layout.data_start])
     window = open_in(path)
     assert window.workspace is not None
     label = window.workspace.centralWidget()
     assert isinstance(label, QLabel)
     assert "nothing to repair" in label.text()
+    assert label.text().endswith("It holds 12 events."), "no samples of channels are there"
     assert not window.actions_by_id["next_gap"].isEnabled()
 
 

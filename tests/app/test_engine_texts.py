@@ -235,7 +235,7 @@ def test_reasons_about_chosen_donors_and_edges_are_in_the_catalogue() -> None:
         "{0} cannot be its own donor",
         "the donor {0} is missing in the gap too",
         "the donor {0} is missing at an edge of the gap",
-        "it takes {0} donors, and {1} are given",
+        "it takes {0} donors and was given {1}",
     } <= templates
 
 
@@ -310,8 +310,14 @@ class TestInChinese:
 
     def test_texts_that_qt_lacks_are_ours(self) -> None:
         for text in QT:
-            contexts = ("QFileDialog", "QAbstractFileIconProvider")
+            contexts = (
+                "QFileDialog",
+                "QAbstractFileIconProvider",
+                "QFileSystemModel",
+                "QKeySequenceEdit",
+            )
             assert any(QCoreApplication.translate(each, text) != text for each in contexts)
+        assert QCoreApplication.translate("QFileSystemModel", "Size") == "大小"
 
 
 def test_segments_of_the_templates_are_in_the_catalogue() -> None:

@@ -13,6 +13,7 @@ from mocapmend.settings import RANKING, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.queue_model import GLYPHS, Column, short_number
+from mocapmend.views.queue_table import QueueTable
 from mocapmend.views.workspace import Workspace
 
 Open = Callable[[Path], MainWindow]
@@ -230,3 +231,19 @@ def test_a_complete_recording_says_so(open_in: Open, samples: Path) -> None:
     assert "nothing to fill" in workspace.queue._empty.text()
     assert workspace.queue.model.gaps == []
     assert not workspace.queue.step(1)
+
+
+def test_names_take_the_room_that_the_numbers_leave_them(opened: MainWindow, qtbot: QtBot) -> None:
+    name = "AnExcessivelyLongSubject:AnExcessivelyLongMarker"
+    table = QueueTable(workspace_of(opened).queue.model, name)
+    qtbot.addWidget(table)
+    header, metrics = table.horizontalHeader(), table.fontMetrics()
+    table.resize(450, 300)
+    table.grab()
+    first = (Column.STATUS, Column.MARKER, Column.FRAMES, Column.ERROR, Column.HARM)
+    assert sum(map(header.sectionSize, first)) == table.viewport().width()
+    assert header.sectionSize(Column.ERROR) > metrics.horizontalAdvance("0000.0")
+    table.resize(1400, 300)
+    table.grab()
+    assert header.sectionSize(Column.MARKER) > metrics.horizontalAdvance(name)
+    assert sum(map(header.sectionSize, first)) < table.viewport().width()

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtGui import QImage, QPainter
 from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
@@ -13,10 +14,13 @@ from mocapmend.files import ForcePlate
 from mocapmend.state import SampleState
 from mocapmend.theme import DARK
 from mocapmend.views.body_path import BodyPath
+from mocapmend.views.camera import Camera
 from mocapmend.views.painters.edits import edits_in, edits_text, measured_edges
 from mocapmend.views.painters.ground import plate_outlines
 from mocapmend.views.painters.hull import hull
 from mocapmend.views.painters.measure import angle, distance, measurement
+from mocapmend.views.painters.shot import Shot
+from mocapmend.views.painters.texts import place_labels
 from mocapmend.views.painters.trails import (
     BROKEN,
     DASHED,
@@ -300,3 +304,25 @@ def test_an_empty_recording_has_a_place_and_a_size(shape: tuple[int, int, int]) 
     assert (path.at(0) == 0).all()
     assert (path.overview == 0).all()
     assert path.size() == 1.0
+
+
+# --- labels ----------------------------------------------------------------------------------
+
+
+def test_no_label_lies_over_another_and_selected_ones_come_first(document: Document) -> None:
+    view = ViewState(document.original.frames)
+    view.select((5, 7))
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    # Two far apart, the others in a heap.
+    places = np.full((document.original.markers, 2), 200.0)
+    places[0], places[1] = (20.0, 20.0), (20.0, 280.0)
+    places[2] = np.nan
+    shot = Shot(painter, DARK, document, view, Camera(), np.eye(3), 400, 300, places)
+    found = place_labels(shot, places, range(len(places)))
+    painter.end()
+    assert list(found)[:2] == [7, 5], "the current marker, then the other selected one"
+    assert {0, 1} <= set(found)
+    assert 2 not in found
+    boxes = list(found.values())
+    assert not any(a.intersects(b) for i, a in enumerate(boxes) for b in boxes[:i])

@@ -305,3 +305,23 @@ def test_a_screen_reader_is_told_what_is_under_the_playhead(
     view.set_span((5, 10))
     end = f"Selected: frames {5 + first} to {9 + first}."
     qtbot.waitUntil(lambda: told().endswith(end))
+
+
+def test_no_rest_of_a_time_looks_out_behind_the_number_of_the_playhead(
+    timeline: Timeline, view: ViewState
+) -> None:
+    metrics, marks = timeline.fontMetrics(), timeline._marks
+    texts = marks._seconds(metrics, view.visible)
+    # The flag covers the beginning of a time: its end and its unit would be left.
+    place = next(rect for rect, _ in texts if rect.left() > timeline.axis.left + 100)
+    view.set_frame(int(timeline.axis.frame_at(place.left())))
+    flag = marks._flag(metrics, view.frame)
+    assert flag.right() < place.right() - 3
+    picture = timeline.viewport().grab().toImage()
+    ratio = picture.devicePixelRatio()
+    rest = range(round((flag.right() + 2) * ratio), round(place.right() * ratio))
+    line = range(2, round((timeline._layout.ruler - 6) * ratio))
+    assert {picture.pixelColor(x, y).name() for x in rest for y in line} == {DARK.window}
+    view.set_frame(0)
+    picture = timeline.viewport().grab().toImage()
+    assert {picture.pixelColor(x, y).name() for x in rest for y in line} != {DARK.window}

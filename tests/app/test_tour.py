@@ -42,6 +42,7 @@ def test_every_step_leads_to_the_next(window: MainWindow, qtbot: QtBot) -> None:
     for step in range(2, 6):
         qtbot.mouseClick(tour.callout.next_button, Qt.MouseButton.LeftButton)
         assert tour.step == step
+        qtbot.waitUntil(lambda: tour.callout.points)
     qtbot.mouseClick(tour.callout.next_button, Qt.MouseButton.LeftButton)
     assert is_over(window, qtbot)
 

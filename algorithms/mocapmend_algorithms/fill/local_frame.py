@@ -134,7 +134,7 @@ def _case(survey: Survey, gap: Gap, params: _Params, model: _Model) -> Case:
         raise LeftOpenError(LEFT_OPEN)
     donors = survey.donors(gap, params.donors, at_edges=True, enough=ENOUGH)
     if len(donors) < model.least and params.donors:
-        raise LeftOpenError(f"it takes {model.least} donors, and {len(donors)} are given")
+        raise LeftOpenError(f"it takes {model.least} donors and was given {len(donors)}")
     if len(donors) < model.least:
         count = "no marker is" if not len(donors) else f"only {len(donors)} of the markers are"
         raise LeftOpenError(

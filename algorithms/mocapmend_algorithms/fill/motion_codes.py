@@ -219,8 +219,8 @@ class _Teller:
             recovery, targets = self._recovery(gap, seen, learn)
             if recovery.examples < LEAST_EXAMPLES:
                 return (
-                    f"only {recovery.examples} stretches show the marker and those that predict "
-                    f"it: this method needs {LEAST_EXAMPLES}"
+                    f"this method needs {LEAST_EXAMPLES} stretches that show the marker and those "
+                    f"that predict it, and has {recovery.examples}"
                 )
             told = self._told(recovery, a, b, ask)
             values[a - start : b - start] = told[:, targets.tolist().index(gap.marker)]

@@ -2,7 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
 from mocapmend.files import C3DFile
@@ -15,6 +15,7 @@ from mocapmend.views.lane import (
     paint_line,
     paint_message,
     paint_on_ground,
+    thin,
     value_range,
 )
 from mocapmend.views.plot_canvas import PlotCanvas
@@ -82,14 +83,14 @@ class AnalogPlots(PlotCanvas):
         painter.fillRect(rect, QColor(self._theme.base))
         message = self._message(channels)
         if message:
-            painter.setPen(QColor(self._theme.line))
+            painter.setPen(thin(painter, self._theme.line))
             painter.drawRect(rect)
             paint_message(painter, rect, message, self._theme)
         else:
             paint_grid(painter, frame, self._theme)
         painter.setClipRect(rect)
         for channel, (places, values) in zip(read, lines, strict=True):
-            pen = QPen(QColor(self._colour(channel)), 1)
+            pen = thin(painter, self._colour(channel))
             paint_line(painter, frame, places / self._per_frame, values[0], pen)
         painter.setClipping(False)
         if not self._overlaid:

@@ -19,7 +19,7 @@ class Appearance(QObject):
     Signals
     -------
     changed :
-        The colours are others.
+        The colours are others, or the size of the text is.
     """
 
     changed = Signal()
@@ -58,7 +58,8 @@ class Appearance(QObject):
         nearest = min(range(len(SIZES)), key=lambda k: abs(SIZES[k] - self.text_size))
         size = SIZES[max(0, min(len(SIZES) - 1, nearest + steps))] if steps else 1.0
         self._settings.set(TEXT_SIZE, size)
-        self._size_text()
+        if self._size_text():
+            self.changed.emit()
 
     def _follow_system(self) -> None:
         if self.choice == SYSTEM:
@@ -77,8 +78,11 @@ class Appearance(QObject):
         scheme = QGuiApplication.styleHints().colorScheme()
         return LIGHT if scheme == Qt.ColorScheme.Light else DARK
 
-    def _size_text(self) -> None:
+    def _size_text(self) -> bool:
+        """Give the text its size; say whether that is another one."""
         font = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
         font.setPointSizeF(QFontInfo(font).pointSizeF() * self.text_size)
-        if font != QApplication.font():
-            QApplication.setFont(font)
+        if font == QApplication.font():
+            return False
+        QApplication.setFont(font)
+        return True

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from mocapmend.theme import Theme
 from mocapmend.views.tables import in_sight
+from mocapmend.views.text_scale import scaled
 
 ARROW = 12
 WIDTH = 340
@@ -59,8 +60,7 @@ class Callout(QWidget):
         """Move beside a widget and point at it; into the middle of the window without one."""
         self._target = target
         window = self._window
-        scale = self.fontMetrics().height() / 14.0
-        self.setFixedWidth(min(round(WIDTH * scale) + 2 * (ARROW + MARGIN), window.width()))
+        self.setFixedWidth(min(scaled(self, WIDTH) + 2 * (ARROW + MARGIN), window.width()))
         self.setFixedHeight(self.heightForWidth(self.width()))
         if target is None or not in_sight(target):
             self._tip = None
@@ -73,6 +73,11 @@ class Callout(QWidget):
         self.show()
         self.raise_()
         self.update()
+
+    @property
+    def points(self) -> bool:
+        """Whether it points at something that is seen."""
+        return self._tip is not None
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.Resize, QEvent.Type.FontChange) and self.isVisible():

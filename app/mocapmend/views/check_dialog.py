@@ -4,13 +4,22 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QDialog, QLabel, QTableWidget, QVBoxLayout, QWidget
+from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QTableWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from mocapmend.files import CheckReport
 from mocapmend.views.dialogs import table_dialog
 from mocapmend.views.engine_texts import shown
-from mocapmend.views.tables import narrow
+from mocapmend.views.tables import RIGHT, align_right, narrow
 
 translate = QCoreApplication.translate
 MOST_LISTED = 12
@@ -45,8 +54,31 @@ def check_dialog(parent: QWidget, original: Path, repaired: Path, found: CheckRe
     verdict.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     layout = dialog.layout()
     assert isinstance(layout, QVBoxLayout)
-    layout.insertWidget(0, verdict)
+    layout.insertWidget(0, _Scrolled(verdict))
     return dialog
+
+
+class _Scrolled(QScrollArea):
+    """Shows a text whole where there is room, and else a part of it."""
+
+    def __init__(self, text: QLabel) -> None:
+        super().__init__()
+        self._text = text
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self.setWidgetResizable(True)
+        self.setWidget(text)
+        text.setAlignment(Qt.AlignmentFlag.AlignTop)
+
+    def sizeHint(self) -> QSize:
+        return QSize(0, self._text.heightForWidth(self.width()))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # What is below it must not take it all.
+        self.setMinimumHeight(min(self.sizeHint().height(), self.window().height() // 2))
+        self.updateGeometry()
 
 
 def _arrange(table: QTableWidget) -> None:
@@ -55,12 +87,11 @@ def _arrange(table: QTableWidget) -> None:
     widths = {}
     for column in NUMBERS:
         widths[column] = 16 + max(header.sectionSizeHint(column), table.sizeHintForColumn(column))
-        for item in (
-            table.horizontalHeaderItem(column),
-            *(table.item(row, column) for row in range(table.rowCount())),
-        ):
+        for row in range(table.rowCount()):
+            item = table.item(row, column)
             assert item is not None
-            item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            item.setTextAlignment(RIGHT)
+    align_right(table, NUMBERS)
     narrow(table, widths)
 
 

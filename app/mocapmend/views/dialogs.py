@@ -23,11 +23,13 @@ from mocapmend import __version__
 from mocapmend.errors import MocapmendError
 from mocapmend.log import log_path
 from mocapmend.views.engine_texts import shown
-from mocapmend.views.tables import LEFT, dress, frames_text
+from mocapmend.views.tables import dress, frames_text
+from mocapmend.views.text_scale import fit_text
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import Unfilled
 
 translate = QCoreApplication.translate
+TABLE_SIZE = (720, 520)
 MESSAGE_CHARACTERS = 70
 """How wide a message is at least."""
 
@@ -111,15 +113,16 @@ def table_dialog(
     dialog = QDialog(parent)
     dialog.setWindowTitle(title)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    dialog.resize(720, 520)
+    fit_text(dialog, *TABLE_SIZE)
     table = QTableWidget(len(rows), len(headers))
     table.setHorizontalHeaderLabels(list(headers))
     table.setAccessibleName(title)
     dress(table)
-    table.horizontalHeader().setDefaultAlignment(LEFT)
     for row, texts in enumerate(rows):
         for column, text in enumerate(texts):
             table.setItem(row, column, QTableWidgetItem(text))
+    if rows:
+        table.selectRow(0)
     table.resizeColumnsToContents()
     table.horizontalHeader().setSectionResizeMode(len(headers) - 1, QHeaderView.ResizeMode.Stretch)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)

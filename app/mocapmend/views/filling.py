@@ -193,7 +193,7 @@ class Filling(QObject):
         filled = len(command.edits)
         if filled:
             self._do(command)
-        self.message.emit(self.tr("{0} gaps filled, {1} left open.").format(filled, left))
+        self.message.emit(self.tr("Gaps: {0} filled, {1} left open.").format(filled, left))
         self.done.emit(filled, left)
 
     def _stand(self) -> Stand:

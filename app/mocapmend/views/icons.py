@@ -4,22 +4,40 @@ from functools import cache
 from importlib.resources import files
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
 from mocapmend.theme import Theme
 
-SIZES = (20, 40)
+SMALL, LARGE = 16, 24
+"""Pixels of icons in menus and titles, and in the tool bar."""
 _INK = b"#888888"
 
 
-def icon(name: str, theme: Theme) -> QIcon:
-    """Return a line icon from the resources, drawn in the theme's colours."""
+def icon(name: str, theme: Theme, scale: float = 1.0) -> QIcon:
+    """Return a line icon from the resources, drawn in the theme's colours.
+
+    Parameters
+    ----------
+    name : str
+        Of the resource.
+    theme : Theme
+        The colours.
+    scale : float
+        Of what is shown larger with the text.
+    """
+    # Drawn for each size that is asked for: what Qt makes smaller or larger is blurred.
+    screens = QGuiApplication.screens()
+    sides = {
+        round(side * screen.devicePixelRatio())
+        for side in (SMALL, LARGE, LARGE * scale)
+        for screen in screens
+    }
     result = QIcon()
     for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Disabled, theme.bone)):
         svg = _source(name).replace(_INK, colour.encode())
-        for size in SIZES:
-            result.addPixmap(_pixmap(svg, size), mode)
+        for side in sides:
+            result.addPixmap(_pixmap(svg, side), mode)
     return result
 
 

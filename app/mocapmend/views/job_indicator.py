@@ -28,6 +28,7 @@ class JobIndicator(QWidget):
         self._cancel.clicked.connect(self._stop)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        self._title.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for part in (self._title, self._bar, self._cancel):
             layout.addWidget(part)
         self._patience = QTimer(self)

@@ -16,6 +16,8 @@ LEAST_SPAN = 1e-5
 """Of values about 1, in the recording's unit; greater values have more."""
 GROUND = 190
 """Opacity of the ground behind texts that lie over curves, of 255."""
+MOST_MARKS = 12
+"""At an axis: more are hard to read, however high the plot is."""
 WIDEST_MARK = "−88888.8"
 
 
@@ -126,6 +128,17 @@ def mixed(under: str, over: str, alpha: float = 1.0) -> QColor:
     return QColor(*(round(one + (other - one) * share) for one, other in pairs))
 
 
+def thin(
+    painter: QPainter, colour: QColor | str, style: Qt.PenStyle = Qt.PenStyle.SolidLine
+) -> QPen:
+    """Make a pen for lines that are equally thick wherever they are.
+
+    One pixel of the window is 1.5 of some screens: a line of that width takes one here, two there.
+    """
+    ratio = painter.device().devicePixelRatioF()
+    return QPen(QColor(colour), max(1, round(ratio)) / ratio, style)
+
+
 def paint_line(
     painter: QPainter,
     frame: Frame,
@@ -150,9 +163,10 @@ def paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
     """Draw the lines of round values with their numbers, and the frame around the plot."""
     rect, metrics = frame.rect, painter.fontMetrics()
     line = metrics.height()
-    marks, decimals = ticks(frame.low, frame.high, max(1, int(rect.height() / (1.5 * line))))
+    about = max(1, min(MOST_MARKS, int(rect.height() / (1.5 * line))))
+    marks, decimals = ticks(frame.low, frame.high, about)
     heights = frame.y(marks).tolist()
-    painter.setPen(QColor(theme.raised))
+    painter.setPen(thin(painter, theme.raised))
     painter.drawLines([QLineF(rect.left(), y, rect.right(), y) for y in heights])
     painter.setPen(QColor(theme.dim))
     middle = metrics.ascent() - line / 2
@@ -161,7 +175,7 @@ def paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
             text = mark_text(mark, decimals)
             x = rect.left() - 6 - metrics.horizontalAdvance(text)
             painter.drawText(QPointF(x, y + middle), text)
-    painter.setPen(QColor(theme.line))
+    painter.setPen(thin(painter, theme.line))
     painter.drawRect(rect)
 
 
@@ -203,6 +217,6 @@ def paint_span(
     shade = QColor(theme.accent)
     shade.setAlpha(50)
     painter.fillRect(QRectF(left, area.top(), right - left, area.height()), shade)
-    painter.setPen(QPen(QColor(theme.accent), 1, Qt.PenStyle.DashLine))
+    painter.setPen(thin(painter, theme.accent, Qt.PenStyle.DashLine))
     painter.drawLines([QLineF(x, area.top(), x, area.bottom()) for x in (left, right)])
     painter.restore()

@@ -9,7 +9,7 @@ from PySide6.QtGui import QFontMetrics
 from mocapmend.views.labels import elided
 
 LANE_MIN = 5
-MOST_NAME = 18
+MOST_NAME = 22
 """Characters of a marker's name that have room, at most."""
 NAME_PADDING = 14
 

@@ -20,6 +20,7 @@ from mocapmend.views.lane import (
     paint_line,
     paint_message,
     paint_on_ground,
+    thin,
     value_range,
 )
 from mocapmend.views.quantities import Curve, Quantity, Series
@@ -31,7 +32,8 @@ BAND_SIGMAS = 1.6449
 """Half-width of the band in standard deviations per axis: 90 %."""
 BAND, OTHER_BAND = 60, 18
 """Opacity of the band of a preview, and of the other candidates, of 255."""
-LEAST_NUMBERED = 60.0
+WIDEST_VALUE = "00000 "
+LEAST_NUMBERED = 90.0
 """Pixels that a gap takes before the candidates have their numbers: else they lie in a heap."""
 DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
 """Of the candidates by their numbers."""
@@ -135,7 +137,7 @@ class LanePainter:
         message = self._message(lane)
         self._paint_background(painter, frame, lane)
         if message:
-            painter.setPen(QColor(self.theme.line))
+            painter.setPen(thin(painter, self.theme.line))
             painter.drawRect(rect)
             paint_message(painter, rect, message, self.theme)
         else:
@@ -144,7 +146,7 @@ class LanePainter:
         visible, width = (frame.start, frame.stop), int(rect.width())
         for curve in lane.curves:
             share = 1.0 if curve is lane.curves[-1] else BEHIND
-            pen = QPen(mixed(self.theme.base, curve.colour, share), 1)
+            pen = thin(painter, mixed(self.theme.base, curve.colour, share))
             paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
             self._paint_fills(painter, frame, quantity, curve)
         for number, other in others:
@@ -165,9 +167,12 @@ class LanePainter:
     def _paint_title(self, painter: QPainter, rect: QRectF, lane: Lane) -> None:
         is_place = lane.quantity.kind == "position"
         painter.setPen(QColor(AXIS_COLOURS[lane.quantity.row] if is_place else self.theme.dim))
-        baseline = rect.top() + 2 + painter.fontMetrics().ascent()
-        place = QPointF(rect.left() + 5, baseline)
-        paint_on_ground(painter, place, self.title(lane), self.theme)
+        metrics = painter.fontMetrics()
+        place = QPointF(rect.left() + 5, rect.top() + 2 + metrics.ascent())
+        # The value at the playhead stands at the right.
+        room = rect.width() - 10 - (0 if is_place else metrics.horizontalAdvance(WIDEST_VALUE))
+        title = metrics.elidedText(self.title(lane), Qt.TextElideMode.ElideRight, int(room))
+        paint_on_ground(painter, place, title, self.theme)
 
     def _paint_background(self, painter: QPainter, frame: Frame, lane: Lane) -> None:
         """Fill a lane, shaded where the marker worked on is missing or filled."""
@@ -231,11 +236,11 @@ class LanePainter:
             return
         colour = QColor(self.theme.candidate)
         self._paint_band(painter, frame, lane, candidate, colour, OTHER_BAND)
-        pen = QPen(colour, 1)
+        pen = thin(painter, colour)
         pen.setDashPattern(DASHES[(number - 1) % len(DASHES)])
         paint_line(painter, frame, frames, values, pen)
-        # Not all at the same place: neighbours differ in where their numbers stand.
-        at = round((0.25 + 0.5 * (number % 4) / 3) * (len(frames) - 1))
+        # Curves that coincide have their numbers side by side.
+        at = round((0.05 + 0.1 * number) * (len(frames) - 1))
         place = QPointF(float(frame.x(frames[at])), float(frame.y(values[at])))
         across = float(frame.x(frames[-1]) - frame.x(frames[0]))
         if across > LEAST_NUMBERED and np.isfinite(values[at]) and frame.rect.contains(place):

@@ -3,7 +3,7 @@
 import math
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFormLayout, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QSpinBox, QWidget
 
 from mocapmend.settings import LIMIT_ERROR, LIMIT_GAP, MAX_ERROR_MM, MAX_GAP_MS, Settings
 from mocapmend_algorithms import Recording
@@ -47,10 +47,15 @@ class LimitsBox(QWidget):
         self._max_error.setAccessibleName(self.tr("Largest expected error in mm"))
         self._max_error.setValue(settings.get(MAX_ERROR_MM))
         self._max_error.setEnabled(self._limit_error.isChecked())
-        form = QFormLayout(self)
-        form.setContentsMargins(0, 0, 0, 0)
-        form.addRow(self._limit_gap, self._max_gap)
-        form.addRow(self._limit_error, self._max_error)
+        # A form would put the check boxes higher than the numbers.
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        for row, parts in enumerate(
+            ((self._limit_gap, self._max_gap), (self._limit_error, self._max_error))
+        ):
+            for column, part in enumerate(parts):
+                grid.addWidget(part, row, column)
+        grid.setColumnStretch(1, 1)
         self._limit_gap.toggled.connect(self._switch_gap)
         self._limit_error.toggled.connect(self._switch_error)
         self._max_gap.valueChanged.connect(self._remember_gap)

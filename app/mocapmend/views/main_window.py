@@ -36,7 +36,7 @@ from mocapmend.views.dialogs import environment, error_box
 from mocapmend.views.documents import Documents
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.frame_icons import draw_extension
-from mocapmend.views.icons import program_icon
+from mocapmend.views.icons import LARGE, program_icon
 from mocapmend.views.job_indicator import JobIndicator
 from mocapmend.views.keys import KeyGuard
 from mocapmend.views.layouts import Layouts
@@ -48,6 +48,7 @@ from mocapmend.views.recent import RecentFiles
 from mocapmend.views.samples import sample_recordings
 from mocapmend.views.shortcuts import Shortcuts
 from mocapmend.views.shortcuts_dialog import ShortcutsDialog
+from mocapmend.views.text_scale import FRAME
 from mocapmend.views.toolbar import draw_icons, fill_toolbar
 from mocapmend.views.tour import Tour
 from mocapmend.views.transport import Transport
@@ -64,8 +65,6 @@ log = logging.getLogger(__name__)
 
 MESSAGE_MS = 8000
 FIRST_SIZE = QSize(1280, 800)
-FRAME = QSize(16, 48)
-"""Room for the frame and the title that the window system adds."""
 
 
 class MainWindow(QMainWindow):
@@ -288,9 +287,13 @@ class MainWindow(QMainWindow):
         self._tour = None
 
     def _show_theme(self) -> None:
-        draw_icons(self.actions_by_id, self.theme)
+        scale = self.appearance.text_size
+        size = QSize(round(LARGE * scale), round(LARGE * scale))
+        for buttons in (self.toolbar, self.transport.button):
+            buttons.setIconSize(size)
+        draw_icons(self.actions_by_id, self.theme, scale)
         draw_extension(self.toolbar, self.theme)
-        self.transport.set_theme(self.theme)
+        self.transport.set_theme(self.theme, scale)
         self.welcome.set_theme(self.theme)
         self.with_all(lambda workspace: workspace.set_theme(self.theme))
 

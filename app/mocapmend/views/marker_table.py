@@ -27,7 +27,7 @@ from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.engine_texts import segment_name
 from mocapmend.views.labels import LabelDelegate
-from mocapmend.views.tables import dress, narrow
+from mocapmend.views.tables import LEFT, RIGHT, dress, narrow
 from mocapmend.viewstate import ViewState
 
 Index = QModelIndex | QPersistentModelIndex
@@ -65,14 +65,16 @@ class MarkerModel(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
-            return self._columns[section]
-        return None
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return RIGHT if section else LEFT
+        return self._columns[section] if role == Qt.ItemDataRole.DisplayRole else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         marker, column = index.row(), index.column()
         if role == Qt.ItemDataRole.TextAlignmentRole and column:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            return RIGHT
         if role == Qt.ItemDataRole.ForegroundRole:
             return self._brush(marker)
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -164,12 +166,12 @@ class MarkerTable(QWidget):
 
     def _make_table(self) -> QTableView:
         table = QTableView()
+        dress(table)
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         table.setAccessibleName(self.tr("Markers"))
-        dress(table)
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         widths = {}
         for column, widest in ((1, "100.0 %"), (2, "0000"), (3, "00000")):

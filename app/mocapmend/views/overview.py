@@ -9,7 +9,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
     QPixmap,
     QResizeEvent,
     QWheelEvent,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
+from mocapmend.views.lane import thin
 from mocapmend.views.run_index import missing_share
 from mocapmend.views.time_axis import ZOOM_PER_STEP
 from mocapmend.viewstate import LEAST_VISIBLE, ViewState
@@ -195,7 +195,7 @@ class Overview(QWidget):
             self._picture = self._paint_picture()
         painter = QPainter(self)
         painter.drawPixmap(0, 0, self._picture)
-        painter.setPen(QPen(QColor(self._theme.playhead), 1))
+        painter.setPen(thin(painter, self._theme.playhead))
         x = round(self.x_of(self._view.frame + 0.5))
         painter.drawLine(x, 0, x, self.height())
         painter.end()
@@ -245,7 +245,7 @@ class Overview(QWidget):
         if self._view.span is not None:
             left, right = map(self.x_of, self._view.span)
             painter.fillRect(QRectF(left, 0, max(2.0, right - left), 3), accent)
-        painter.setPen(QPen(accent, 1))
+        painter.setPen(thin(painter, accent))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(window)
         for x in (window.left(), window.right()):

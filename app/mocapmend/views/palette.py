@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.palette_entries import Entry
 from mocapmend.views.tables import dress
+from mocapmend.views.text_scale import fit_text
 
 SIZE = (620, 420)
 _MOVES = {Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown}
@@ -57,8 +58,7 @@ class Palette(QDialog):
         layout = QVBoxLayout(self)
         for part in (self.field, self.table, self.hint):
             layout.addWidget(part)
-        scale = self.fontMetrics().height() / 14.0
-        self.resize(min(round(SIZE[0] * scale), parent.width() - 40), SIZE[1])
+        fit_text(self, *SIZE)
         self._filter("")
 
     def texts(self) -> list[str]:

@@ -7,6 +7,8 @@ from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from mocapmend.settings import LAYOUT, Settings
+from mocapmend.theme import Theme
+from mocapmend.views.pane_titles import PaneTitles
 from mocapmend.views.pane_widths import PaneWidths
 
 LAYOUT_VERSION = 5
@@ -15,7 +17,7 @@ LAYOUT_VERSION = 5
 class PanedWindow(QMainWindow):
     """A part of the program's window that has panes of its own."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, theme: Theme) -> None:
         super().__init__()
         self._settings = settings
         self._panes: list[QDockWidget] = []
@@ -28,6 +30,7 @@ class PanedWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomLeftCorner, bottom)
         self.setCorner(Qt.Corner.BottomRightCorner, bottom)
         PaneWidths(self)
+        self.titles = PaneTitles(self, theme)
 
     # --- panes -------------------------------------------------------------------------------
 
@@ -44,15 +47,14 @@ class PanedWindow(QMainWindow):
         pane.visibilityChanged.connect(content.setEnabled)
         self.addDockWidget(area, pane)
         self._panes.append(pane)
+        self.titles.add(pane)
         return pane
 
     def share_place(self, panes: Sequence[QDockWidget]) -> None:
         """Put panes behind each other, the first one in front."""
         for before, pane in pairwise(panes):
             self.tabifyDockWidget(before, pane)
-        for pane in panes:
-            # The tab says the name already.
-            pane.setTitleBarWidget(QWidget())
+        self.titles.fit()
         panes[0].raise_()
 
     def show_pane(self, content: QWidget) -> None:
@@ -84,7 +86,7 @@ class PanedWindow(QMainWindow):
 
     def restore_first_layout(self) -> None:
         """Put all panes back where they were when the program was new."""
-        self.restoreState(self._first_layout, LAYOUT_VERSION)
+        self.restore_layout(bytes(self._first_layout.data()))
 
     def restore_last_layout(self) -> None:
         """Put all panes where they were last, once it is known where they belong."""
@@ -102,7 +104,9 @@ class PanedWindow(QMainWindow):
 
     def restore_layout(self, state: bytes) -> bool:
         """Put the panes where `layout_state` had them; False if it is of another version."""
-        return self.restoreState(state, LAYOUT_VERSION)
+        restored = self.restoreState(state, LAYOUT_VERSION)
+        self.titles.fit()
+        return restored
 
     # --- windows that belong to it -----------------------------------------------------------
 

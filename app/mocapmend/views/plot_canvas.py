@@ -6,7 +6,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
     QPixmap,
     QResizeEvent,
     QWheelEvent,
@@ -14,7 +13,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from mocapmend.theme import Theme
-from mocapmend.views.lane import Frame, Margins, paint_message, paint_span, ticks
+from mocapmend.views.lane import Frame, Margins, paint_message, paint_span, thin, ticks
 from mocapmend.views.readout import Readout, paint_readout
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend.viewstate import ViewState
@@ -155,7 +154,7 @@ class PlotCanvas(QWidget):
         self._margins = margins = Margins.of(self.fontMetrics())
         self._place_axis()
         self.setMinimumSize(
-            QSize(4 * margins.left, margins.top + 2 * margins.least + margins.bottom)
+            QSize(2 * margins.left, margins.top + 2 * margins.least + margins.bottom)
         )
 
     def _place_axis(self) -> None:
@@ -259,7 +258,7 @@ class PlotCanvas(QWidget):
         frame = self._frames[0]
         x = float(frame.x(self._view.frame))
         if frame.rect.left() <= x <= frame.rect.right():
-            painter.setPen(QPen(QColor(self._theme.playhead), 1))
+            painter.setPen(thin(painter, self._theme.playhead))
             painter.drawLine(QLineF(x, self._margins.top - 4, x, self._bottom))
 
     def _paint_crosshair(self, painter: QPainter) -> None:
@@ -267,7 +266,7 @@ class PlotCanvas(QWidget):
         area = QRectF(self._frames[0].rect.topLeft(), self._frames[-1].rect.bottomRight())
         if self._mouse is None or not area.contains(self._mouse):
             return
-        painter.setPen(QPen(QColor(self._theme.dim), 1, Qt.PenStyle.DotLine))
+        painter.setPen(thin(painter, self._theme.dim, Qt.PenStyle.DotLine))
         painter.drawLine(QLineF(self._mouse.x(), area.top(), self._mouse.x(), area.bottom()))
         painter.setFont(self.font())
         # Between two plots the upper one is meant.

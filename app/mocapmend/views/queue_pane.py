@@ -5,15 +5,13 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt, QTimer
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QCheckBox,
     QComboBox,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
     QLineEdit,
+    QSizePolicy,
     QStackedLayout,
-    QTableView,
     QVBoxLayout,
     QWidget,
 )
@@ -21,13 +19,11 @@ from PySide6.QtWidgets import (
 from mocapmend.document import Document
 from mocapmend.navigation import neighbour, place
 from mocapmend.prospects import Prospects
-from mocapmend.ranking import METHODS, Status
+from mocapmend.ranking import Status
 from mocapmend.settings import RANKING, Settings
-from mocapmend.views.engine_texts import method_name
-from mocapmend.views.labels import LabelDelegate
-from mocapmend.views.queue_model import TO_DO, Column, Filter, QueueModel
+from mocapmend.views.queue_model import TO_DO, Filter, QueueModel
+from mocapmend.views.queue_table import QueueTable
 from mocapmend.views.survey import Survey
-from mocapmend.views.tables import dress
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
@@ -65,7 +61,9 @@ class QueuePane(QWidget):
         self._place = -1
         """Row of the current gap when it was last listed: what comes next is there."""
         self.model = QueueModel(document, prospects, self)
-        self.table = self._make_table()
+        self.table = QueueTable(self.model, max(document.names, key=len, default=""))
+        self.table.clicked.connect(self._go_to)
+        self.table.selectionModel().selectionChanged.connect(self._lead)
         self.filter = QLineEdit()
         self.filter.setPlaceholderText(self.tr("Filter markers"))
         self.filter.setAccessibleName(self.tr("Filter the queue by marker"))
@@ -80,6 +78,8 @@ class QueuePane(QWidget):
         self.rank.setChecked(settings.get(RANKING))
         self.rank.toggled.connect(self._switch_ranking)
         self._said = QLabel()
+        # What goes on must not widen the pane.
+        self._said.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._empty = QLabel()
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
@@ -160,44 +160,9 @@ class QueuePane(QWidget):
         combo.setAccessibleName(name)
         combo.setToolTip(name)
         combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        combo.setMinimumContentsLength(6)
+        combo.setMinimumContentsLength(7)
         combo.currentIndexChanged.connect(self._set_filter)
         return combo
-
-    def _make_table(self) -> QTableView:
-        table = QTableView()
-        table.setModel(self.model)
-        # Before the table sorts: else it does so twice.
-        table.horizontalHeader().setSortIndicator(Column.HARM, Qt.SortOrder.DescendingOrder)
-        table.setSortingEnabled(True)
-        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        table.setAccessibleName(self.tr("Queue of gaps"))
-        dress(table)
-        table.setItemDelegateForColumn(Column.MARKER, LabelDelegate(table))
-        advance = table.fontMetrics().horizontalAdvance
-        header = table.horizontalHeader()
-        header.setMinimumSectionSize(20)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setStretchLastSection(True)
-        widest = {
-            Column.STATUS: "⊘",
-            Column.MARKER: "MMMMMMMM",
-            Column.FRAMES: "0000",
-            Column.ERROR: "000.0",
-            Column.HARM: "00000",
-            Column.MS: "00000",
-            Column.METHOD: max(map(method_name, METHODS), key=len),
-            Column.CONTEXT: self.tr("inside, {0} more missing"),
-            Column.PLACE: "000000 – 000000",
-        }
-        for column, text in widest.items():
-            title = str(self.model.headerData(column, Qt.Orientation.Horizontal))
-            # The mark of the sorted column must not lie on its title.
-            mark = advance("000") if column == Column.HARM else 0
-            header.resizeSection(column, max(advance(text), advance(title) + mark) + 14)
-        table.clicked.connect(self._go_to)
-        table.selectionModel().selectionChanged.connect(self._lead)
-        return table
 
     def _arrange(self) -> None:
         tops = QHBoxLayout()
@@ -263,7 +228,7 @@ class QueuePane(QWidget):
         if self._survey.running and done < all_gaps:
             text = self.tr("{0} gaps · ranked {1} of {2}").format(count, done, all_gaps)
         else:
-            text = self.tr("{0} gaps").format(count)
+            text = self.tr("1 gap") if count == 1 else self.tr("{0} gaps").format(count)
         self._said.setText(text)
 
     def _follow(self, gap: Gap | None) -> None:

@@ -15,8 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.journal import Abandoned
-from mocapmend.views.tables import LEFT, dress
+from mocapmend.views.tables import RIGHT, align_right, dress
+from mocapmend.views.text_scale import fit_text
 
+SIZE = (560, 260)
 EDITS = 1
 """The column of numbers."""
 
@@ -66,7 +68,7 @@ class RecoveryDialog(QDialog):
         # Not before: a button is the default one of the dialog that it is in.
         self.recover_button.setDefault(True)
         self._table.setFocus()
-        self.resize(560, 260)
+        fit_text(self, *SIZE)
 
     def _make_table(self) -> QTableWidget:
         headers = [self.tr("Recording"), self.tr("Edits"), self.tr("Last edit")]
@@ -83,12 +85,10 @@ class RecoveryDialog(QDialog):
                 item = QTableWidgetItem(text)
                 item.setToolTip(str(path))
                 if column == EDITS:
-                    item.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
+                    item.setTextAlignment(RIGHT)
                 table.setItem(row, column, item)
+        align_right(table, (EDITS,))
         header = table.horizontalHeader()
-        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         table.selectRow(0)

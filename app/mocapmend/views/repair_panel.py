@@ -5,7 +5,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QGroupBox,
@@ -34,6 +34,8 @@ from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.registry import METHODS
 
 PANEL_WIDTH = 270
+MOST_OF_SCREEN = 0.32
+"""Of its width, that the panel takes for itself."""
 MOST_DONORS = 6
 """That are listed: the methods name the best ones first."""
 
@@ -70,7 +72,6 @@ class RepairPanel(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(8, 2, 8, 2)
@@ -79,8 +80,8 @@ class RepairPanel(QScrollArea):
         layout.addWidget(self._make_all_box(actions))
         layout.addStretch(1)
         self.setWidget(body)
-        room = self.verticalScrollBar().sizeHint().width() + 2
-        self.setMinimumWidth(max(PANEL_WIDTH, body.minimumSizeHint().width() + room))
+        self._body = body
+        self._take_room()
         self._show_method()
         view.selection_changed.connect(self._offer_donors)
         view.gap_changed.connect(self._offer_donors)
@@ -90,6 +91,19 @@ class RepairPanel(QScrollArea):
         document.samples_changed.connect(self._show_gap)
         document.left_open_changed.connect(self._show_gap)
         self._show_gap()
+
+    def _take_room(self) -> None:
+        """Be as wide as what is in it, unless that is much of the screen: then it is scrolled."""
+        room = self.verticalScrollBar().sizeHint().width() + 2
+        wanted = self._body.minimumSizeHint().width() + room
+        most = round(MOST_OF_SCREEN * self.screen().size().width())
+        self.setMinimumWidth(max(PANEL_WIDTH, min(wanted, most)))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and self.widget() is not None:
+            # Later, when the fields have the new text too.
+            QTimer.singleShot(0, self, self._take_room)
 
     # --- what it asks for --------------------------------------------------------------------
 
@@ -323,9 +337,11 @@ class RepairPanel(QScrollArea):
                 if preview.note.get("tested_on") == "all markers"
                 else self.tr("this marker")
             )
-            text += "<br>" + self.tr("Measured on {0} hidden stretches of {1}.").format(
-                tests, where
+            one, more = (
+                self.tr("Measured on 1 hidden stretch of {1}."),
+                self.tr("Measured on {0} hidden stretches of {1}."),
             )
+            text += "<br>" + (one if tests == 1 else more).format(tests, where)
         return text
 
     def _error_text(self, patch: Patch) -> str:

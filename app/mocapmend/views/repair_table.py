@@ -150,6 +150,7 @@ class RepairTable(QWidget):
         self._empty = QLabel(self.tr("Nothing is repaired yet. Repairs are listed here."))
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._pages = QStackedLayout(self)
+        self._pages.setContentsMargins(4, 4, 4, 4)
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self.table)
         self.setFocusProxy(self.table)
@@ -160,12 +161,12 @@ class RepairTable(QWidget):
 
     def _make_table(self, longest: str) -> QTableView:
         table = _Table()
+        dress(table)
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Repairs"))
-        dress(table)
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         advance = table.fontMetrics().horizontalAdvance
         texts = {

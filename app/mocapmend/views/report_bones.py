@@ -1,7 +1,6 @@
 """The report's bones: how constant each is, and the length of one over time."""
 
 import numpy as np
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -15,8 +14,11 @@ from mocapmend.report import Report
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.report_plots import AFTER, BEFORE, ReportPlot
-from mocapmend.views.tables import dress, narrow
+from mocapmend.views.tables import RIGHT, align_right, dress, narrow
 from mocapmend_algorithms.metrics import bone_lengths
+
+NUMBERS = (1, 2, 3)
+"""Columns that are aligned at the right."""
 
 
 class BonesPage(QWidget):
@@ -57,7 +59,7 @@ class BonesPage(QWidget):
             texts = (_percent(before[row]), _percent(after[row]), str(report.bone_repairs[row]))
             for column, text in enumerate(texts, 1):
                 item = QTableWidgetItem(text)
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setTextAlignment(RIGHT)
                 self.table.setItem(row, column, item)
         if report.bone_names:
             self.table.selectRow(min(chosen, len(report.bone_names) - 1))
@@ -73,12 +75,13 @@ class BonesPage(QWidget):
             self.tr("Repaired frames"),
         ]
         table.setHorizontalHeaderLabels(titles)
+        align_right(table, NUMBERS)
         table.setAccessibleName(self.tr("Spread of the bone lengths"))
         table.setToolTip(self.tr("Standard deviation of the length over its mean"))
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         dress(table)
         advance = table.fontMetrics().horizontalAdvance
-        narrow(table, {i: max(advance(titles[i]), advance("00.00 %")) + 20 for i in (1, 2, 3)})
+        narrow(table, {i: max(advance(titles[i]), advance("00.00 %")) + 20 for i in NUMBERS})
         table.itemSelectionChanged.connect(self._draw)
         return table
 
@@ -96,7 +99,7 @@ class BonesPage(QWidget):
             f'<span style="color:{measured}">╌╌ ' + self.tr("measured (dashed)") + "</span>",
             f'<span style="color:{repaired}">━━ ' + self.tr("repaired (solid)") + "</span>",
         )
-        self.plot.setTitle(" &nbsp; ".join(legend), size="9pt", color=self._theme.dim)
+        self.plot.say(" &nbsp; ".join(legend), self._theme.dim)
 
 
 def _percent(value: float) -> str:

@@ -143,12 +143,12 @@ class MarkersPage(QWidget):
 
     def _make_table(self, longest: str) -> QTableView:
         table = QTableView()
+        dress(table)
         table.setModel(self._proxy)
         table.setSortingEnabled(True)
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setAccessibleName(self.tr("Markers before and after the repairs"))
-        dress(table)
         table.setItemDelegateForColumn(0, LabelDelegate(table))
         table.setItemDelegateForColumn(FILLED_BY, Indented(table))
         advance = table.fontMetrics().horizontalAdvance

@@ -127,7 +127,8 @@ class ReportPane(QWidget):
         self._body.setContentsMargins(4, 4, 4, 4)
         self._body.setSpacing(4)
         self._body.addLayout(head)
-        self._body.setAlignment(head, Qt.AlignmentFlag.AlignTop)
+        # Until there are pages.
+        self._body.addStretch(0)
         self.setFocusProxy(self.tabs)
 
     def _compute(self) -> None:

@@ -19,7 +19,7 @@ from mocapmend.document import Document
 from mocapmend.report import EditRow, Methods
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.report_facts import ReportFacts
-from mocapmend.views.tables import INDENT, Indented, dress, narrow
+from mocapmend.views.tables import INDENT, RIGHT, Indented, align_right, dress, narrow
 
 WHAT, STATE = 1, 6
 
@@ -101,6 +101,7 @@ class HistoryPage(QWidget):
         ]
         table = QTableWidget(0, len(titles))
         table.setHorizontalHeaderLabels(titles)
+        align_right(table, set(range(len(titles))) - {WHAT, STATE})
         table.setAccessibleName(self.tr("History of edits"))
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         dress(table)
@@ -130,9 +131,7 @@ class HistoryPage(QWidget):
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 if column not in (WHAT, STATE):
-                    item.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
+                    item.setTextAlignment(RIGHT)
                 self.table.setItem(place, column, item)
         self._pages.setCurrentWidget(self.table if rows else self._empty)
         self.table.scrollToBottom()

@@ -1,14 +1,15 @@
 """The report's curves of tracking success, before and after the repairs."""
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from mocapmend.document import Document
 from mocapmend.report import Report
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.report_plots import AFTER, BEFORE, ReportPlot
+from mocapmend.views.text_scale import scaled
 
 KINDS = ("instantaneous", "running_mean", "survival")
 SIDE_WIDTH = 190
@@ -33,21 +34,34 @@ class TrackingPage(QWidget):
         self._key = QLabel()
         self._key.setTextFormat(Qt.TextFormat.RichText)
         self._key.setWordWrap(True)
+        self._key.setAlignment(Qt.AlignmentFlag.AlignTop)
+        scrolled = QScrollArea()
+        scrolled.setFrameShape(QScrollArea.Shape.NoFrame)
+        scrolled.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scrolled.setWidgetResizable(True)
+        scrolled.setWidget(self._key)
         side = QVBoxLayout()
         side.addWidget(self.unit)
-        side.addWidget(self._key)
-        side.addStretch(1)
-        aside = QWidget()
-        aside.setFixedWidth(SIDE_WIDTH)
+        side.addWidget(scrolled, 1)
+        self._aside = QWidget()
         side.setContentsMargins(0, 0, 0, 0)
-        aside.setLayout(side)
+        self._aside.setLayout(side)
+        self._take_room()
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(aside)
+        layout.addWidget(self._aside)
         for plot in self.plots:
             layout.addWidget(plot, 1)
         self.setFocusProxy(self.unit)
         self.set_theme(theme)
+
+    def _take_room(self) -> None:
+        self._aside.setFixedWidth(scaled(self, SIDE_WIDTH))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._take_room()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
@@ -77,7 +91,7 @@ class TrackingPage(QWidget):
             plot.start()
             plot.draw(new, self._theme.state_colour(SampleState.FILLED), AFTER)
             plot.draw(old, self._theme.text, BEFORE)
-            plot.setTitle(title, size="9pt", color=self._theme.text)
+            plot.say(title, self._theme.text)
             if kind != "instantaneous" and old.size and np.isfinite(old[-1]):
                 ends.append(
                     self.tr("{0}: {1} % before, {2} % after").format(

@@ -79,7 +79,7 @@ class ScenePicture(QWidget):
         self.camera = Camera(distance=FIT * self._size)
         self._offset = np.zeros(3)
         self._box: QRectF | None = None
-        self.setMinimumSize(QSize(220, 160))
+        self.setMinimumSize(QSize(200, 160))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("3D marker view"))
@@ -234,10 +234,11 @@ class ScenePicture(QWidget):
         places = shot.pixels.copy()
         if ghost is not None:
             places[ghost[0]] = ghost[1]
+        names = []
         if "segments" in layers:
-            paint_segment_names(shot, skeleton.segments)
-        everyone = range(len(places))
-        paint_labels(shot, places, everyone if "labels" in layers else self._view.selection)
+            names = paint_segment_names(shot, skeleton.segments)
+        labelled = range(len(places)) if "labels" in layers else self._view.selection
+        paint_labels(shot, places, labelled, names)
         paint_axes(shot)
         captions = []
         if self._view.picking:

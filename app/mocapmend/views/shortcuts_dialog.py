@@ -21,7 +21,8 @@ from mocapmend.action_table import ACTIONS
 from mocapmend.actions import menu_name, submenu_of, text_of
 from mocapmend.views.fuzzy import ranked
 from mocapmend.views.shortcuts import Shortcuts
-from mocapmend.views.tables import LEFT, dress
+from mocapmend.views.tables import dress
+from mocapmend.views.text_scale import fit_text
 
 SIZE = (760, 560)
 
@@ -83,7 +84,7 @@ class ShortcutsDialog(QDialog):
         layout.addWidget(self.answer)
         layout.addWidget(self._mouse_help())
         layout.addWidget(buttons)
-        self.resize(*SIZE)
+        fit_text(self, *SIZE)
         self._fill()
 
     @property
@@ -101,7 +102,6 @@ class ShortcutsDialog(QDialog):
         dress(table)
         table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
         header = table.horizontalHeader()
-        header.setDefaultAlignment(LEFT)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         table.currentCellChanged.connect(self._show_action)

@@ -1,5 +1,6 @@
 """The look that all tables share."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from PySide6.QtCore import QEvent, QLocale, QObject, Qt
@@ -7,20 +8,25 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
     QStyledItemDelegate,
+    QStyleOptionHeader,
     QTableView,
+    QTableWidget,
     QWidget,
 )
 
 from mocapmend_algorithms import Gap
 
 DIGITS = "0123456789"
+MARK_ROOM = "\N{EN SPACE}"
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 def in_sight(widget: QWidget) -> bool:
     """Say whether any of a widget can be seen: what is behind another tab is visible for Qt."""
-    return widget.isVisible() and not widget.visibleRegion().isEmpty()
+    # What its children cover has nothing of its own to be seen.
+    parts = (widget, *widget.findChildren(QWidget))
+    return widget.isVisible() and any(not part.visibleRegion().isEmpty() for part in parts)
 
 
 def frames_text(gap: Gap, first_frame: int) -> str:
@@ -30,7 +36,11 @@ def frames_text(gap: Gap, first_frame: int) -> str:
 
 
 def dress(table: QTableView) -> None:
-    """Make a table compact: whole rows, no grid, no row numbers, Tab leaves it."""
+    """Make a table compact: whole rows, no grid, no row numbers, Tab leaves it.
+
+    It gets another header: how columns are sorted and sized is said afterwards.
+    """
+    table.setHorizontalHeader(Header(table))
     table.setShowGrid(False)
     table.setWordWrap(False)
     table.setTabKeyNavigation(False)
@@ -39,8 +49,36 @@ def dress(table: QTableView) -> None:
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
     table.verticalHeader().hide()
-    table.horizontalHeader().setHighlightSections(False)
     RowHeights(table)
+
+
+def align_right(table: QTableWidget, columns: Iterable[int]) -> None:
+    """Put the titles of columns of numbers above their last digits."""
+    for column in columns:
+        title = table.horizontalHeaderItem(column)
+        assert title is not None
+        title.setTextAlignment(RIGHT)
+
+
+class Header(QHeaderView):
+    """Titles of columns, at the left where a model says nothing else."""
+
+    def __init__(self, table: QTableView) -> None:
+        super().__init__(Qt.Orientation.Horizontal, table)
+        self.setSectionsClickable(True)
+        self.setHighlightSections(False)
+        self.setDefaultAlignment(LEFT)
+
+    def initStyleOptionForIndex(
+        self,
+        option: QStyleOptionHeader,
+        logicalIndex: int,  # noqa: N803 - Qt's own name
+    ) -> None:
+        super().initStyleOptionForIndex(option, logicalIndex)
+        sorts = option.sortIndicator != QStyleOptionHeader.SortIndicator.None_
+        if sorts and option.textAlignment & Qt.AlignmentFlag.AlignRight:
+            # The mark of the sorted column must not lie on its title.
+            option.text += MARK_ROOM
 
 
 class RowHeights(QObject):

@@ -26,6 +26,8 @@ from mocapmend.views.timeline_texts import description, event_tip, lane_tip
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
+MOST_LANES, GOOD_LANE = 24, 11
+"""That the timeline would like to show, and their height: each has room for its name."""
 DESCRIBE_MS = 200
 """A screen reader is told at most so often what is under the playhead."""
 
@@ -71,7 +73,7 @@ class Timeline(QAbstractScrollArea):
         self._use_font()
 
     def sizeHint(self) -> QSize:
-        lanes = min(24, self._document.original.markers) * 6
+        lanes = min(MOST_LANES, self._document.original.markers) * GOOD_LANE
         return QSize(800, self._layout.lanes_top + lanes + 16 + self.overview.height())
 
     def set_theme(self, theme: Theme) -> None:
@@ -258,7 +260,9 @@ class Timeline(QAbstractScrollArea):
             self._picture = self._paint_picture()
         painter = QPainter(self.viewport())
         painter.drawPixmap(0, 0, self._picture)
-        self._marks.playhead(painter, self._theme, self._view.frame, self.viewport().height())
+        view = self._view
+        self._marks.seconds(painter, self._theme, view.visible, view.frame, view.span)
+        self._marks.playhead(painter, self._theme, view.frame, self.viewport().height())
         painter.end()
 
     def _paint_picture(self) -> QPixmap:

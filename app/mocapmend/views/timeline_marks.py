@@ -5,10 +5,12 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 
 from mocapmend.theme import Theme
 from mocapmend.views.gap_arrows import ARROW, HINT, paint_arrow
-from mocapmend.views.lane import ticks
+from mocapmend.views.lane import thin, ticks
 from mocapmend.views.lane_layout import LaneLayout
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend_algorithms import Gap, Recording
+
+WIDEST_TIME = "0000.00 s"
 
 
 class TimelineMarks:
@@ -56,47 +58,85 @@ class TimelineMarks:
             painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, layout.names[marker])
 
     def ruler(self, painter: QPainter, theme: Theme, visible: tuple[float, float]) -> None:
-        """Write the seconds since the first frame."""
-        metrics, bottom, rate = painter.fontMetrics(), self._layout.ruler, self._recording.rate
-        widest = metrics.horizontalAdvance("0000.00 s") + 24
-        count = max(2, self._axis.width // widest)
-        seconds, decimals = ticks(visible[0] / rate, visible[1] / rate, count)
-        painter.setPen(QColor(theme.dim))
-        for second in seconds.tolist():
-            x = self._axis.x_of(second * rate)
+        """Draw a mark at round seconds since the first frame."""
+        bottom = self._layout.ruler
+        painter.setPen(thin(painter, theme.dim))
+        for place, _ in self._seconds(painter.fontMetrics(), visible):
+            x = place.left() - 3
             painter.drawLine(QPointF(x, bottom - 5), QPointF(x, bottom - 1))
+
+    def seconds(
+        self,
+        painter: QPainter,
+        theme: Theme,
+        visible: tuple[float, float],
+        frame: int,
+        span: tuple[int, int] | None,
+    ) -> None:
+        """Write the seconds at the marks of the ruler, but for what other texts would cover."""
+        metrics = painter.fontMetrics()
+        others = [self._flag(metrics, frame)]
+        if span is not None:
+            others.append(self._caption(metrics, span)[0])
+        painter.setPen(QColor(theme.dim))
+        for place, text in self._seconds(metrics, visible):
+            if place.right() < self._right and not any(map(place.intersects, others)):
+                painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
+
+    def _seconds(
+        self, metrics: QFontMetrics, visible: tuple[float, float]
+    ) -> list[tuple[QRectF, str]]:
+        """Return the round seconds with the places of their texts, right of their marks."""
+        rate = self._recording.rate
+        count = max(2, self._axis.width // (metrics.horizontalAdvance(WIDEST_TIME) + 24))
+        seconds, decimals = ticks(visible[0] / rate, visible[1] / rate, count)
+        found = []
+        for second in seconds.tolist():
             text = QCoreApplication.translate("TimelineMarks", "{0} s").format(
                 f"{second:.{decimals}f}"
             )
-            if x + 3 + metrics.horizontalAdvance(text) < self._right:
-                place = QRectF(x + 3, 0, widest, bottom - 3)
-                painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
+            x = self._axis.x_of(second * rate) + 3
+            width = metrics.horizontalAdvance(text) + 1
+            found.append((QRectF(x, 0, width, self._layout.ruler - 3), text))
+        return found
 
     def span(self, painter: QPainter, theme: Theme, span: tuple[int, int], height: int) -> None:
         """Paint the selected frames as a band, and their length where there is room."""
-        left, right = (
-            min(max(self._axis.x_of(frame), self._axis.left), self._right) for frame in span
-        )
+        left, right = self._ends(span)
         if left >= right:
             return
         veil = QColor(theme.accent)
         veil.setAlpha(50)
         painter.fillRect(QRectF(left, 0, right - left, height), veil)
-        painter.setPen(QPen(QColor(theme.accent), 1, Qt.PenStyle.DashLine))
+        painter.setPen(thin(painter, theme.accent, Qt.PenStyle.DashLine))
         for frame, x in zip(span, (left, right), strict=True):
             if x == self._axis.x_of(frame):
                 painter.drawLine(QPointF(x, 0), QPointF(x, height))
-        frames = span[1] - span[0]
-        text = QCoreApplication.translate("TimelineMarks", "{0} frames, {1} s").format(
-            frames, f"{frames / self._recording.rate:.2f}"
-        )
-        if painter.fontMetrics().horizontalAdvance(text) + 12 < right - left:
-            place = QRectF(left + 1, 0, right - left - 2, self._layout.ruler - 1)
+        place, text = self._caption(painter.fontMetrics(), span)
+        if not place.isEmpty():
             painter.fillRect(place, QColor(theme.raised))
             painter.setPen(QColor(theme.text))
             # At the left: the flag of the playhead is rather in the middle or at the right end.
             place.adjust(6, 0, 0, 0)
             painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
+
+    def _ends(self, span: tuple[int, int]) -> tuple[float, float]:
+        """Return where a run of frames begins and ends, as far as it is in view."""
+        left, right = (
+            min(max(self._axis.x_of(frame), self._axis.left), self._right) for frame in span
+        )
+        return left, right
+
+    def _caption(self, metrics: QFontMetrics, span: tuple[int, int]) -> tuple[QRectF, str]:
+        """Return what is said of the selected frames, and where; an empty place if nowhere."""
+        left, right = self._ends(span)
+        frames = span[1] - span[0]
+        text = QCoreApplication.translate("TimelineMarks", "{0} frames, {1} s").format(
+            frames, f"{frames / self._recording.rate:.2f}"
+        )
+        fits = metrics.horizontalAdvance(text) + 12 < right - left
+        place = QRectF(left + 1, 0, right - left - 2, self._layout.ruler - 1)
+        return place if fits else QRectF(), text
 
     def gap(self, painter: QPainter, theme: Theme, gap: Gap) -> None:
         """Frame the current gap and put arrows on its ends; point to it when it is out of view."""
@@ -131,24 +171,33 @@ class TimelineMarks:
             paint_arrow(painter, theme, QPointF(self._right - 2, y), -HINT)
 
     def playhead_area(self, metrics: QFontMetrics, frame: int) -> QRect:
-        """Return a part of the timeline that holds all of a frame's playhead."""
-        reach = metrics.horizontalAdvance("0") * len(str(frame + self._recording.first_frame)) + 14
-        x = int(self._axis.x_of(frame + 0.5))
-        return QRect(x - reach, 0, 2 * reach + 1, self._layout.height)
+        """Return a part of the timeline that holds a frame's playhead, and all that it covers."""
+        flag, covered = self._flag(metrics, frame), metrics.horizontalAdvance(WIDEST_TIME)
+        if flag.isEmpty():
+            return QRect()
+        flag.setHeight(self._layout.height)
+        return flag.adjusted(-covered, 0, covered, 0).toAlignedRect()
+
+    def _flag(self, metrics: QFontMetrics, frame: int) -> QRectF:
+        """Return where the number of the playhead's frame stands; empty out of view."""
+        x = self._axis.x_of(frame + 0.5)
+        if not self._axis.left <= x <= self._right:
+            return QRectF()
+        width = metrics.horizontalAdvance(str(frame + self._recording.first_frame)) + 10
+        left = max(self._axis.left, min(x - width / 2, self._right - width))
+        return QRectF(left, 0, width, self._layout.ruler - 3)
 
     def playhead(self, painter: QPainter, theme: Theme, frame: int, height: int) -> None:
         """Draw a line through the middle of a frame's time, with the frame's number."""
-        x = self._axis.x_of(frame + 0.5)
-        if not self._axis.left <= x <= self._right:
+        flag = self._flag(painter.fontMetrics(), frame)
+        if flag.isEmpty():
             return
-        painter.setPen(QPen(QColor(theme.playhead), 1))
+        x = self._axis.x_of(frame + 0.5)
+        painter.setPen(thin(painter, theme.playhead))
         painter.drawLine(QPointF(x, 0), QPointF(x, height))
-        text = str(frame + self._recording.first_frame)
-        width = painter.fontMetrics().horizontalAdvance(text) + 10
-        left = max(self._axis.left, min(x - width / 2, self._right - width))
-        flag = QRectF(left, 0, width, self._layout.ruler - 3)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.accent))
         painter.drawRoundedRect(flag, 3, 3)
         painter.setPen(QColor(theme.on_accent))
+        text = str(frame + self._recording.first_frame)
         painter.drawText(flag, Qt.AlignmentFlag.AlignCenter, text)

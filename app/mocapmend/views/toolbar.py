@@ -32,7 +32,7 @@ def fill_toolbar(bar: QToolBar, actions: Mapping[str, QAction], last: QWidget) -
     bar.addWidget(last)
 
 
-def draw_icons(actions: Mapping[str, QAction], theme: Theme) -> None:
-    """Give the actions that have icons those of a theme."""
+def draw_icons(actions: Mapping[str, QAction], theme: Theme, scale: float) -> None:
+    """Give the actions that have icons those of a theme, for text of some size."""
     for name in ICONS:
-        actions[name].setIcon(icon(name, theme))
+        actions[name].setIcon(icon(name, theme, scale))

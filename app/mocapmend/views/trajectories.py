@@ -1,5 +1,7 @@
 """The trajectory plots: quantities of the selected markers, the gaps shaded."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QMouseEvent, QPainter
@@ -25,6 +27,8 @@ LEAST_NAME = "MMMM"
 """What must be left of the first name."""
 APART = 18
 """Pixels between the values of two markers."""
+LEAST_LEFT = 4
+"""Pixels before a header that is longer than the plots are wide."""
 
 
 class Trajectories(PlotCanvas):
@@ -182,9 +186,12 @@ class Trajectories(PlotCanvas):
         metrics = painter.fontMetrics()
         self._paint_derived(painter)
         margins, curves = self._margins, self._shown_curves
-        x, baseline = float(margins.left), 2.0 + metrics.ascent()
+        x, baseline = self._header_left(curves), 2.0 + metrics.ascent()
         for done, curve in enumerate(reversed(curves)):
             name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
+            if x + metrics.horizontalAdvance(value) > self.width():
+                # Half a number would be another one.
+                value = ""
             more = f"+{len(curves) - done}"
             room = self.width() - margins.right - x - metrics.horizontalAdvance(value)
             rest = room - metrics.horizontalAdvance(more) - APART
@@ -200,6 +207,15 @@ class Trajectories(PlotCanvas):
             painter.setPen(QColor(curve.colour))
             painter.drawText(QPointF(x, baseline), text)
             x += metrics.horizontalAdvance(text) + APART
+
+    def _header_left(self, curves: Sequence[Curve]) -> float:
+        """Return where the header begins: above the plots, or before them where it is long."""
+        if not curves:
+            return float(self._margins.left)
+        advance, current = self.fontMetrics().horizontalAdvance, curves[-1]
+        name, value = self._document.names[current.marker], self._place_now(current)
+        wanted = advance(f"{name}  {value}") + self._margins.right
+        return float(max(LEAST_LEFT, min(self._margins.left, self.width() - wanted)))
 
     def _place_now(self, curve: Curve) -> str:
         """Write where a marker is at the playhead."""

@@ -22,9 +22,10 @@ class Transport(QWidget):
         self._workspace: Workspace | None = None
         self._play = actions["play"]
         self._theme: Theme | None = None
-        button = QToolButton()
-        button.setDefaultAction(self._play)
-        button.setAutoRaise(True)
+        self._scale = 1.0
+        self.button = QToolButton()
+        self.button.setDefaultAction(self._play)
+        self.button.setAutoRaise(True)
         self._speed = QComboBox()
         self._speed.setAccessibleName(self.tr("Playback speed"))
         self._speed.setToolTip(self.tr("Playback speed ([ and ])"))
@@ -41,12 +42,12 @@ class Transport(QWidget):
         self._time.setMinimumWidth(self._time.fontMetrics().horizontalAdvance("0000.000 s"))
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        for part in (button, self._speed, QLabel(self.tr("  Frame")), self._frame, self._time):
+        for part in (self.button, self._speed, QLabel(self.tr("  Frame")), self._frame, self._time):
             layout.addWidget(part)
 
-    def set_theme(self, theme: Theme) -> None:
-        """Draw the button in other colours from now on."""
-        self._theme = theme
+    def set_theme(self, theme: Theme, scale: float) -> None:
+        """Draw the button in other colours, and for text of another size, from now on."""
+        self._theme, self._scale = theme, scale
         self._show_playing()
 
     def show_workspace(self, workspace: "Workspace | None") -> None:
@@ -95,4 +96,4 @@ class Transport(QWidget):
         if self._theme is None:
             return
         playing = self._workspace is not None and self._workspace.player.playing
-        self._play.setIcon(icon("pause" if playing else "play", self._theme))
+        self._play.setIcon(icon("pause" if playing else "play", self._theme, self._scale))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
-from PySide6.QtWidgets import QLabel, QSplitter
+from PySide6.QtWidgets import QLabel, QSizePolicy, QSplitter
 
 from mocapmend import engine
 from mocapmend.commands import EditSamples
@@ -24,7 +24,6 @@ from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
-from mocapmend.views.frame_icons import TitleIcons
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.history_pane import HistoryPane
 from mocapmend.views.marker_table import MarkerTable
@@ -41,12 +40,17 @@ from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
 from mocapmend.views.survey import Survey
+from mocapmend.views.text_scale import scaled
 from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
 TAB_HEIGHT = 36
+MARKERS_WIDTH, REPAIR_WIDTH = (336, 460), (280, 400)
+"""Of the panes at the sides, from where they can be read to where all of it can."""
+SIDE, MOST_SIDE = 0.2, 0.3
+"""Shares of the window that they take, and that they take at most when texts are large."""
 BEGIN_MS = 50
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
@@ -76,7 +80,7 @@ class Workspace(PanedWindow):
         theme: Theme,
         actions: dict[str, QAction],
     ) -> None:
-        super().__init__(settings)
+        super().__init__(settings, theme)
         self.document = document
         document.setParent(self)
         self._jobs = jobs
@@ -123,7 +127,7 @@ class Workspace(PanedWindow):
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._searching: Job | None = None
-        self._arrange(theme)
+        self._arrange()
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.filling.started.connect(self._show_filling)
@@ -186,8 +190,7 @@ class Workspace(PanedWindow):
             part.set_theme(theme)
         if self.analog is not None:
             self.analog.set_theme(theme)
-        for titles in self.findChildren(TitleIcons):
-            titles.set_theme(theme)
+        self.titles.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
@@ -276,6 +279,8 @@ class Workspace(PanedWindow):
             self.message.emit(self.tr("This method takes no donors."))
         elif on:
             self.message.emit(self.tr("Click markers to choose donors; D ends it."))
+        elif self.view.picking:
+            self.message.emit("")
         self.view.set_picking(on and self.repair.takes_donors)
 
     def ask_why_open(self) -> None:
@@ -290,7 +295,7 @@ class Workspace(PanedWindow):
         self.repair.show_filling(running=self.filling.job is not None)
 
     def _show_done(self, filled: int, left: int) -> None:
-        text = self.tr("{0} gaps filled, {1} left open.").format(filled, left)
+        text = self.tr("Gaps: {0} filled, {1} left open.").format(filled, left)
         self.repair.show_outcome(text, open_gaps=bool(left))
 
     def _forget_outcome(self) -> None:
@@ -392,7 +397,7 @@ class Workspace(PanedWindow):
 
     # --- arrangement -------------------------------------------------------------------------
 
-    def _arrange(self, theme: Theme) -> None:
+    def _arrange(self) -> None:
         areas = Qt.DockWidgetArea
         if not self.document.repairable:
             self.setCentralWidget(self._nothing_to_repair())
@@ -407,8 +412,7 @@ class Workspace(PanedWindow):
         self.setCentralWidget(middle)
         markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
         queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        repair = self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
-        TitleIcons(repair, theme)
+        self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
         timeline = self.dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
@@ -432,17 +436,24 @@ class Workspace(PanedWindow):
 
     def _size_panes(self) -> None:
         markers, _, repair, timeline, *_ = self.panes()
-        self.resizeDocks([markers, repair], [320, 280], Qt.Orientation.Horizontal)
+        widths = [self._width_of(*limits) for limits in (MARKERS_WIDTH, REPAIR_WIDTH)]
+        self.resizeDocks([markers, repair], widths, Qt.Orientation.Horizontal)
         height = min(self.timeline.sizeHint().height(), self.height() // 4) + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self.remember_first_layout()
 
+    def _width_of(self, least: int, most: int) -> int:
+        """Return the width of a side pane: a share of the window, within what its text needs."""
+        share = max(scaled(self, least), min(scaled(self, most), round(SIDE * self.width())))
+        return min(share, round(MOST_SIDE * self.width()))
+
     def _nothing_to_repair(self) -> QLabel:
         source = self.document.source
         held = [self.tr("{0} events").format(len(source.events))] if source.events else []
-        if source.analog_labels:
+        # Without frames there are only the names of channels and outputs.
+        if source.analog_labels and self.document.original.frames:
             held.append(self.tr("{0} analog channels").format(len(source.analog_labels)))
-        if source.model_outputs:
+        if source.model_outputs and self.document.original.frames:
             held.append(self.tr("{0} model outputs").format(len(source.model_outputs)))
         label = QLabel(
             self.tr(
@@ -451,6 +462,10 @@ class Workspace(PanedWindow):
         )
         label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         label.setWordWrap(True)
+        label.setMargin(16)
+        if self.analog is not None:
+            # The channels take the rest of the window.
+            label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         return label
 
 

@@ -874,8 +874,8 @@
         <translation>已取消：没有填补任何缺失段。</translation>
     </message>
     <message>
-        <source>{0} gaps filled, {1} left open.</source>
-        <translation>已填补 {0} 个缺失段，{1} 个未填补。</translation>
+        <source>Gaps: {0} filled, {1} left open.</source>
+        <translation>缺失段：已填补 {0} 个，未填补 {1} 个。</translation>
     </message>
 </context>
 <context>
@@ -2269,6 +2269,20 @@
     </message>
 </context>
 <context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+</context>
+<context>
+    <name>QKeySequenceEdit</name>
+    <message>
+        <source>Press shortcut</source>
+        <translation>按下快捷键</translation>
+    </message>
+</context>
+<context>
     <name>QueueModel</name>
     <message>
         <source>Marker</source>
@@ -2438,12 +2452,8 @@
         <translation>1 s 以上</translation>
     </message>
     <message>
-        <source>Queue of gaps</source>
-        <translation>缺失段队列</translation>
-    </message>
-    <message>
-        <source>inside, {0} more missing</source>
-        <translation>中间，另缺 {0} 个</translation>
+        <source>1 gap</source>
+        <translation>1 个缺失段</translation>
     </message>
     <message>
         <source>No gap passes the filter.</source>
@@ -2460,6 +2470,17 @@
     <message>
         <source>{0} gaps</source>
         <translation>{0} 个缺失段</translation>
+    </message>
+</context>
+<context>
+    <name>QueueTable</name>
+    <message>
+        <source>Queue of gaps</source>
+        <translation>缺失段队列</translation>
+    </message>
+    <message>
+        <source>inside, {0} more missing</source>
+        <translation>中间，另缺 {0} 个</translation>
     </message>
 </context>
 <context>
@@ -2730,6 +2751,10 @@
     <message>
         <source>this marker</source>
         <translation>此标记点</translation>
+    </message>
+    <message>
+        <source>Measured on 1 hidden stretch of {1}.</source>
+        <translation>在{1}的 1 个隐藏片段上测得。</translation>
     </message>
     <message>
         <source>Measured on {0} hidden stretches of {1}.</source>
@@ -4045,8 +4070,12 @@
         <translation>在缺失段的部分时间里，出现得足够多的其他标记点少于 {0} 个：此方法没有足够的依据来推断姿态</translation>
     </message>
     <message>
-        <source>only {0} stretches show the marker and those that predict it: this method needs {1}</source>
-        <translation>只有 {0} 个片段同时有该标记点和用来预测它的标记点：此方法需要 {1} 个</translation>
+        <source>this method needs {0} stretches that show the marker and those that predict it, and has {1}</source>
+        <translation>此方法需要 {0} 个同时有该标记点和用来预测它的标记点的片段，而只有 {1} 个</translation>
+    </message>
+    <message>
+        <source>it takes {0} donors and was given {1}</source>
+        <translation>需要 {0} 个参考标记点，而只给出 {1} 个</translation>
     </message>
     <message>
         <source>the recording is too short for the windows of this method</source>
@@ -4071,10 +4100,6 @@
     <message>
         <source>the donor {0} is missing at an edge of the gap</source>
         <translation>参考标记点 {0} 在缺失段一端缺失</translation>
-    </message>
-    <message>
-        <source>it takes {0} donors, and {1} are given</source>
-        <translation>需要 {0} 个参考标记点，而只给出 {1} 个</translation>
     </message>
     <message>
         <source>no marker is seen throughout the gap and at its edges, and it takes {0}</source>
@@ -5020,8 +5045,8 @@
         <translation>点击标记点以选择参考标记点；按 D 结束。</translation>
     </message>
     <message>
-        <source>{0} gaps filled, {1} left open.</source>
-        <translation>已填补 {0} 个缺失段，{1} 个未填补。</translation>
+        <source>Gaps: {0} filled, {1} left open.</source>
+        <translation>缺失段：已填补 {0} 个，未填补 {1} 个。</translation>
     </message>
     <message>
         <source>Not exported yet.</source>

@@ -125,7 +125,8 @@ REASONS = (
     ),
     QT_TRANSLATE_NOOP(
         "Sentences",
-        "only {0} stretches show the marker and those that predict it: this method needs {1}",
+        "this method needs {0} stretches that show the marker and those that predict it, and has "
+        "{1}",
     ),
     QT_TRANSLATE_NOOP("Sentences", "the recording is too short for the windows of this method"),
     QT_TRANSLATE_NOOP("Sentences", "there is no marker {0} to take as a donor"),
@@ -133,7 +134,7 @@ REASONS = (
     QT_TRANSLATE_NOOP("Sentences", "{0} cannot be its own donor"),
     QT_TRANSLATE_NOOP("Sentences", "the donor {0} is missing in the gap too"),
     QT_TRANSLATE_NOOP("Sentences", "the donor {0} is missing at an edge of the gap"),
-    QT_TRANSLATE_NOOP("Sentences", "it takes {0} donors, and {1} are given"),
+    QT_TRANSLATE_NOOP("Sentences", "it takes {0} donors and was given {1}"),
     QT_TRANSLATE_NOOP(
         "Sentences",
         "no marker is seen throughout the gap and at its edges, and it takes {0}",

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QCoreApplication, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from mocapmend.state import SampleState
@@ -54,18 +54,28 @@ def paint_segments(shot: Shot, segments: Sequence[Segment]) -> None:
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 
-def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> None:
-    """Write each segment's name, or its number where it has none, into its middle."""
+def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> list[QRectF]:
+    """Write each segment's name, or its number where it has none, into its middle.
+
+    One that would lie over another is written above or below it. Returns their places.
+    """
     metrics = shot.painter.fontMetrics()
+    found: list[QRectF] = []
     for number, segment in _of_several(segments):
         pixels = shot.pixels[list(segment.markers)]
         pixels = pixels[np.isfinite(pixels[:, 0])]
         if len(pixels):
             name = segment_name(segment.name) or translate("Scene", "segment {0}").format(number)
             x, y = (pixels.min(axis=0) + pixels.max(axis=0)) / 2.0
+            box = QRectF(0, 0, metrics.horizontalAdvance(name), metrics.height())
+            box.moveCenter(QPointF(x, y))
+            line = metrics.height()
+            boxes = [box.translated(0, shift) for shift in (0, line, -line)]
+            free = (each for each in boxes if not any(map(each.intersects, found)))
+            found.append(next(free, box))
             shot.pen(shot.theme.text)
-            left = x - metrics.horizontalAdvance(name) / 2.0
-            shot.painter.drawText(QPointF(left, y + metrics.ascent() / 2.0), name)
+            shot.painter.drawText(found[-1].topLeft() + QPointF(0, metrics.ascent()), name)
+    return found
 
 
 def paint_markers(shot: Shot) -> None:

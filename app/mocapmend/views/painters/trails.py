@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPainter
 
 from mocapmend.document import Document
 from mocapmend.state import SampleState
+from mocapmend.views.lane import thin
 from mocapmend.views.painters.shot import Array, Shot
 
 MOST_VERTICES = 4000
@@ -82,7 +83,10 @@ def paint_trails(shot: Shot, seconds: float, *, all_markers: bool) -> None:
     for colour, rows in _inks(shot, markers):
         colour.setAlpha(150 if fine else 255)
         for style, line in STYLES.items():
-            shot.pen(colour, 1.5 if fine else 1.0, line)
+            if fine:
+                shot.pen(colour, 1.5, line)
+            else:
+                shot.painter.setPen(thin(shot.painter, colour, line))
             shot.chain(pixels[rows].reshape(-1, 2), styles[rows].reshape(-1) == style)
     shot.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
