@@ -23,7 +23,6 @@ class PaneTitles(QObject):
 
     def __init__(self, around: QMainWindow, theme: Theme) -> None:
         super().__init__(around)
-        self._around = around
         self._theme = theme
         self._panes: list[QDockWidget] = []
         self._hidden: dict[QDockWidget, QWidget] = {}
@@ -61,7 +60,10 @@ class PaneTitles(QObject):
             self._draw(pane)
 
     def _has_tab(self, pane: QDockWidget) -> bool:
-        beside = self._around.tabifiedDockWidgets(pane)
+        # Not an attribute: they would keep each other when the tab is closed.
+        around = self.parent()
+        assert isinstance(around, QMainWindow)
+        beside = around.tabifiedDockWidgets(pane)
         # A closed pane keeps its place among the tabs, but is none of them.
         return any(other.toggleViewAction().isChecked() for other in beside)
 
