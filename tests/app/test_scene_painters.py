@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QImage, QPainter
 from pytestqt.qtbot import QtBot
 
 from mocapmend.commands import EditSamples
@@ -27,6 +28,7 @@ from mocapmend.views.painters.trails import (
     DOTTED,
     MOST_VERTICES,
     SOLID,
+    paint_trails,
     trails_around,
 )
 from mocapmend.views.scene import Scene
@@ -326,3 +328,20 @@ def test_no_label_lies_over_another_and_selected_ones_come_first(document: Docum
     assert 2 not in found
     boxes = list(found.values())
     assert not any(a.intersects(b) for i, a in enumerate(boxes) for b in boxes[:i])
+
+
+def test_trails_are_not_filled_with_what_was_painted_before_them(document: Document) -> None:
+    view = ViewState(document.original.frames)
+    view.set_frame(100)
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    painter.setBrush(QColor("red"))
+    places = np.full((document.original.markers, 2), 200.0)
+    camera = Camera(distance=5000.0)
+    shot = Shot(painter, DARK, document, view, camera, np.eye(3), 400, 300, places)
+    for all_markers in (False, True):
+        view.select((0, 1, 2))
+        painter.setBrush(QColor("red"))
+        paint_trails(shot, 0.5, all_markers=all_markers)
+        assert painter.brush().style() == Qt.BrushStyle.NoBrush
+    painter.end()

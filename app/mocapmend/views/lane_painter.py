@@ -33,7 +33,7 @@ BAND_SIGMAS = 1.6449
 BAND, OTHER_BAND = 60, 18
 """Opacity of the band of a preview, and of the other candidates, of 255."""
 WIDEST_VALUE = "00000 "
-LEAST_NUMBERED = 90.0
+LEAST_NUMBERED = 70.0
 """Pixels that a gap takes before the candidates have their numbers: else they lie in a heap."""
 DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
 """Of the candidates by their numbers."""

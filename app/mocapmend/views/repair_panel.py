@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import (
     QGroupBox,
     QHBoxLayout,
@@ -96,8 +96,12 @@ class RepairPanel(QScrollArea):
         """Be as wide as what is in it, unless that is much of the screen: then it is scrolled."""
         room = self.verticalScrollBar().sizeHint().width() + 2
         wanted = self._body.minimumSizeHint().width() + room
-        most = round(MOST_OF_SCREEN * self.screen().size().width())
-        self.setMinimumWidth(max(PANEL_WIDTH, min(wanted, most)))
+        around = max(self.screen().size().width(), self.window().width())
+        self.setMinimumWidth(max(PANEL_WIDTH, min(wanted, round(MOST_OF_SCREEN * around))))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self._take_room()
+        super().showEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -161,7 +165,13 @@ class RepairPanel(QScrollArea):
         if text:
             # Later, when the layout has made room for it.
             last = self.left_open if open_gaps else self._outcome
-            QTimer.singleShot(0, self, lambda: self.ensureWidgetVisible(last))
+            QTimer.singleShot(0, self, lambda: self._show_end(last))
+
+    def _show_end(self, last: QWidget) -> None:
+        """Scroll down to what is last, never sideways."""
+        sideways = self.horizontalScrollBar().value()
+        self.ensureWidgetVisible(last)
+        self.horizontalScrollBar().setValue(sideways)
 
     # --- parts -------------------------------------------------------------------------------
 

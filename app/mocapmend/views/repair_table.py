@@ -150,7 +150,7 @@ class RepairTable(QWidget):
         self._empty = QLabel(self.tr("Nothing is repaired yet. Repairs are listed here."))
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._pages = QStackedLayout(self)
-        self._pages.setContentsMargins(4, 4, 4, 4)
+        self.setContentsMargins(4, 4, 4, 4)
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self.table)
         self.setFocusProxy(self.table)

@@ -407,7 +407,7 @@ class Workspace(PanedWindow):
         middle = QSplitter(Qt.Orientation.Horizontal)
         middle.addWidget(self.scene)
         middle.addWidget(self.plots)
-        middle.setSizes([420, 480])
+        middle.setSizes([400, 490])
         middle.setChildrenCollapsible(False)
         self.setCentralWidget(middle)
         markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)

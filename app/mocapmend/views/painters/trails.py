@@ -83,10 +83,7 @@ def paint_trails(shot: Shot, seconds: float, *, all_markers: bool) -> None:
     for colour, rows in _inks(shot, markers):
         colour.setAlpha(150 if fine else 255)
         for style, line in STYLES.items():
-            if fine:
-                shot.pen(colour, 1.5, line)
-            else:
-                shot.painter.setPen(thin(shot.painter, colour, line))
+            shot.pen(colour, 1.5 if fine else thin(shot.painter, colour).widthF(), line)
             shot.chain(pixels[rows].reshape(-1, 2), styles[rows].reshape(-1) == style)
     shot.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
