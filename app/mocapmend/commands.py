@@ -1,6 +1,7 @@
 """Undo commands: they hold the runs before and after, never a copy of the whole."""
 
 from collections.abc import Sequence
+from weakref import ref
 
 import numpy as np
 from PySide6.QtGui import QUndoCommand
@@ -31,7 +32,9 @@ class EditSamples(QUndoCommand):
 
     def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
         super().__init__(text)
-        self._document = document
+        # The document has the stack that this is on. If they kept each other, Python's garbage
+        # collector would delete them, the command before the stack that deletes it again: a crash.
+        self._document = ref(document)
         self.edits = tuple(edits)
         self._after = Contents.of(self.edits)
         self._before = document.contents(self._after.gaps, self._after.places)
@@ -39,8 +42,13 @@ class EditSamples(QUndoCommand):
 
     def redo(self) -> None:
         """Write the new runs."""
-        self._document.apply(self._after)
+        self._write(self._after)
 
     def undo(self) -> None:
         """Write the old runs back."""
-        self._document.apply(self._before)
+        self._write(self._before)
+
+    def _write(self, contents: Contents) -> None:
+        document = self._document()
+        assert document is not None
+        document.apply(contents)
