@@ -1,6 +1,7 @@
 """Undo commands: they hold the runs before and after, never a copy of the whole."""
 
 from collections.abc import Sequence
+from weakref import ref
 
 from PySide6.QtGui import QUndoCommand
 
@@ -23,7 +24,9 @@ class EditSamples(QUndoCommand):
 
     def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
         super().__init__(text)
-        self._document = document
+        # The document has the stack that this is on. If they kept each other, it would be left to
+        # Python's garbage collector to delete both, in an order at which Qt may crash.
+        self._document = ref(document)
         self._after = tuple(edits)
         runs = [edit.gap for edit in edits]
         self._places = places_of(runs)
@@ -38,9 +41,14 @@ class EditSamples(QUndoCommand):
 
     def redo(self) -> None:
         """Write the new runs."""
-        self._document.apply(self._after, self._places)
+        self._write(self._after)
 
     def undo(self) -> None:
         """Write the old runs back."""
         self._before = self._before or tuple(self._read)
-        self._document.apply(self._before, self._places)
+        self._write(self._before)
+
+    def _write(self, edits: Sequence[Edit]) -> None:
+        document = self._document()
+        assert document is not None
+        document.apply(edits, self._places)

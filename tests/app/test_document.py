@@ -1,6 +1,7 @@
 """The document is changed by undo commands alone, and undo restores it to the bit."""
 
 import pickle
+from weakref import ref
 
 import numpy as np
 import pytest
@@ -53,6 +54,17 @@ def test_a_fill_announces_its_run_and_raises_the_revision(document: Document, qt
         document.undo_stack.push(fill(document, gap))
     assert announced.args == [(gap,)]
     assert document.revision == 1
+
+
+def test_an_edited_document_waits_for_no_garbage_collector(document: Document) -> None:
+    edited = Document(document.source, document.skeleton)
+    gap = interior(edited)[0]
+    for value in (1.0, 2.0):
+        edited.undo_stack.push(fill(edited, gap, value))
+    edited.undo_stack.undo()
+    gone = ref(edited)
+    del edited
+    assert gone() is None
 
 
 def test_the_original_never_changes(document: Document) -> None:
