@@ -32,8 +32,8 @@ class EditSamples(QUndoCommand):
 
     def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
         super().__init__(text)
-        # The document has the stack that this is on. If they kept each other, Python's garbage
-        # collector would delete them, the command before the stack that deletes it again: a crash.
+        # The document has the stack that this is on. If they kept each other, it would be left to
+        # Python's garbage collector to delete both, in an order at which Qt may crash.
         self._document = ref(document)
         self.edits = tuple(edits)
         self._after = Contents.of(self.edits)
