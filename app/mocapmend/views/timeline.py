@@ -26,8 +26,10 @@ from mocapmend.views.timeline_texts import description, event_tip, lane_tip
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
-MOST_LANES, GOOD_LANE = 24, 11
-"""That the timeline would like to show, and their height: each has room for its name."""
+MOST_LANES = 24
+"""That the timeline would like to show."""
+LANE, GOOD_LANE = 6, 11
+"""Heights of a lane: one that can be read and hit, and one with room for a name."""
 DESCRIBE_MS = 200
 """A screen reader is told at most so often what is under the playhead."""
 
@@ -73,8 +75,12 @@ class Timeline(QAbstractScrollArea):
         self._use_font()
 
     def sizeHint(self) -> QSize:
-        lanes = min(MOST_LANES, self._document.original.markers) * GOOD_LANE
-        return QSize(800, self._layout.lanes_top + lanes + 16 + self.overview.height())
+        return QSize(800, self.height_of(LANE))
+
+    def height_of(self, lane: int) -> int:
+        """Return the height for lanes of a height."""
+        lanes = min(MOST_LANES, self._document.original.markers) * lane
+        return self._layout.lanes_top + lanes + 16 + self.overview.height()
 
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""

@@ -189,7 +189,7 @@ class Trajectories(PlotCanvas):
         x, baseline = self._header_left(curves), 2.0 + metrics.ascent()
         for done, curve in enumerate(reversed(curves)):
             name, value = self._document.names[curve.marker], f"  {self._place_now(curve)}"
-            if x + metrics.horizontalAdvance(value) > self.width():
+            if not done and x + metrics.horizontalAdvance(value) > self.width():
                 # Half a number would be another one.
                 value = ""
             more = f"+{len(curves) - done}"

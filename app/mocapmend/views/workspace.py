@@ -42,13 +42,15 @@ from mocapmend.views.scene import Scene
 from mocapmend.views.survey import Survey
 from mocapmend.views.text_scale import scaled
 from mocapmend.views.time_actions import TimeActions
-from mocapmend.views.timeline import Timeline
+from mocapmend.views.timeline import GOOD_LANE, LANE, Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
 TAB_HEIGHT = 36
 MARKERS_WIDTH, REPAIR_WIDTH = (336, 460), (280, 400)
 """Of the panes at the sides, from where they can be read to where all of it can."""
+GOOD_BOTTOM = 0.22
+"""Share of the window's height that the timeline takes where its lanes are still low."""
 SIDE, MOST_SIDE = 0.2, 0.3
 """Shares of the window that they take, and that they take at most when texts are large."""
 BEGIN_MS = 50
@@ -438,7 +440,10 @@ class Workspace(PanedWindow):
         markers, _, repair, timeline, *_ = self.panes()
         widths = [self._width_of(*limits) for limits in (MARKERS_WIDTH, REPAIR_WIDTH)]
         self.resizeDocks([markers, repair], widths, Qt.Orientation.Horizontal)
-        height = min(self.timeline.sizeHint().height(), self.height() // 4) + TAB_HEIGHT
+        least = min(self.timeline.height_of(LANE), self.height() // 4)
+        # In a high window lanes grow, but the plots have most of what there is more.
+        good = min(self.timeline.height_of(GOOD_LANE), round(GOOD_BOTTOM * self.height()))
+        height = max(least, good) + TAB_HEIGHT
         self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
         self.remember_first_layout()
 
