@@ -59,7 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> Table:
-    """Measure 100 markers with 10,000 gaps in a window of 1600 x 1000."""
+    """Measure 100 markers with 10,000 gaps in a window of 1600 x 950."""
     frames = arguments.frames
     gaps = min(GAPS, frames // 10)
     if sys.platform == "linux" and not (

@@ -20,7 +20,7 @@ from mocapmend_algorithms import Progress
 
 T = TypeVar("T")
 
-SIZE = (1600, 1000)
+SIZE = (1600, 950)
 PLOTS = 12
 SHOWN = (3, 30, 60, 90)
 """Four markers: twelve plots."""
