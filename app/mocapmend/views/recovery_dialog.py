@@ -15,12 +15,12 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.journal import Abandoned
-from mocapmend.views.tables import RIGHT, align_right, dress
+from mocapmend.views.tables import INDENT, RIGHT, Indented, align_right, dress
 from mocapmend.views.text_scale import fit_text
 
 SIZE = (560, 260)
-EDITS = 1
-"""The column of numbers."""
+EDITS, TIME = 1, 2
+"""Columns of numbers."""
 
 
 class RecoveryDialog(QDialog):
@@ -71,7 +71,7 @@ class RecoveryDialog(QDialog):
         fit_text(self, *SIZE)
 
     def _make_table(self) -> QTableWidget:
-        headers = [self.tr("Recording"), self.tr("Edits"), self.tr("Last edit")]
+        headers = [self.tr("Recording"), self.tr("Edits"), INDENT + self.tr("Last edit")]
         table = QTableWidget(len(self._abandoned), len(headers))
         table.setHorizontalHeaderLabels(headers)
         table.setAccessibleName(self.tr("Recordings with edits that can be recovered"))
@@ -88,6 +88,7 @@ class RecoveryDialog(QDialog):
                     item.setTextAlignment(RIGHT)
                 table.setItem(row, column, item)
         align_right(table, (EDITS,))
+        table.setItemDelegateForColumn(TIME, Indented(table))
         header = table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
