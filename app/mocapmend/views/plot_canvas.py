@@ -142,9 +142,7 @@ class PlotCanvas(QWidget):
         self._axis = TimeAxis(
             self._view, margins.left, lambda: self.width() - margins.left - margins.right
         )
-        self.setMinimumSize(
-            QSize(2 * margins.left, margins.top + 2 * margins.least + margins.bottom)
-        )
+        self.setMinimumSize(QSize(2 * margins.left, margins.top + margins.least + margins.bottom))
 
     # --- painting ----------------------------------------------------------------------------
 
