@@ -153,9 +153,7 @@ class PlotCanvas(QWidget):
         """Make room for the texts in the present font."""
         self._margins = margins = Margins.of(self.fontMetrics())
         self._place_axis()
-        self.setMinimumSize(
-            QSize(2 * margins.left, margins.top + 2 * margins.least + margins.bottom)
-        )
+        self.setMinimumSize(QSize(2 * margins.left, margins.top + margins.least + margins.bottom))
 
     def _place_axis(self) -> None:
         margins = self._margins

@@ -108,7 +108,7 @@ class PlotPane(QWidget):
         bones.setToolTip(self.tr("The two markers whose distance is plotted (B for the next)"))
         bones.setPlaceholderText(self.tr("no bone here"))
         bones.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        bones.setMinimumContentsLength(14)
+        bones.setMinimumContentsLength(10)
         bones.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         bones.currentIndexChanged.connect(self._plot_bone)
         return bones
