@@ -14,8 +14,10 @@ import numpy as np
 from mocapmend import report, training, user_templates
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
+    NO_CORRECTIONS,
     CheckReport,
     Claim,
+    Corrections,
     KeptGap,
     Provenance,
     RepairRecord,
@@ -251,11 +253,14 @@ class Changes:
         All repairs that the copy has, earlier ones included.
     kept_open : tuple of KeptGap
         All gaps that are kept open in it.
+    corrections : Corrections
+        All that was put right in it besides filling gaps.
     """
 
     runs: tuple[SampleRun, ...]
     repairs: tuple[RepairRecord, ...]
     kept_open: tuple[KeptGap, ...] = ()
+    corrections: Corrections = NO_CORRECTIONS
 
 
 def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
@@ -388,6 +393,7 @@ def export(
             changes.repairs,
             out,
             kept_open=changes.kept_open,
+            corrections=changes.corrections,
             replace_source=replace_source,
             accept_truncated=accept_truncated,
             progress=progress,
@@ -416,6 +422,7 @@ def export(
         out,
         repairs=changes.repairs,
         kept_open=changes.kept_open,
+        corrections=changes.corrections,
         replace_source=replace_source,
         accept_truncated=accept_truncated,
         progress=part(progress, 0.0, 0.3),
