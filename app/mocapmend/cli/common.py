@@ -11,6 +11,7 @@ from mocapmend.cli.console import Console
 from mocapmend.engine import Exported
 from mocapmend.files import CheckReport, Source
 from mocapmend.files.sidecar import sidecar_path
+from mocapmend.wording import count as count
 from mocapmend_algorithms import Gap, Recording
 
 MOST_ROWS = 20
@@ -94,8 +95,3 @@ def missing_percent(recording: Recording) -> list[float]:
     """Return in how many % of the frames each marker is missing."""
     missing = np.count_nonzero(~recording.present, axis=0)
     return [100 * count / max(recording.frames, 1) for count in missing.tolist()]
-
-
-def count(number: int, thing: str) -> str:
-    """Return "1 gap", "2 gaps"."""
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"

@@ -9,23 +9,20 @@ too); the output lists them. --max-error and --max-gap replace these limits.
 """
 
 import argparse
-import dataclasses
 import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from mocapmend import engine, recipe
-from mocapmend.cli import common, markers, outcome, target
+from mocapmend import repairing
+from mocapmend.cli import common, outcome, target
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
-from mocapmend.errors import MocapmendError
-from mocapmend.files import Source, check_ending, read_recording
 from mocapmend.plan import Plan, read_plan
 from mocapmend.prospects import Way
+from mocapmend.repairing import Request
 from mocapmend.report import check_report_ending
 from mocapmend_algorithms.fill import registry
-from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_resources import training
 
@@ -91,46 +88,35 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, console: Console) -> int:
     """Repair a recording, say what was done, and return the exit code."""
+    request = _request(arguments)
+    source = repairing.read(request)
+    common.show_warnings(source, console)
+    done = repairing.repair(source, request, console.progress, console.start)
+    files = {"report": request.report, "recipe": request.recipe}
+    if console.as_json:
+        console.result(**outcome.as_json(done, files, samples=arguments.samples))
+    outcome.show(done, files, console)
+    return 0
+
+
+def _request(arguments: argparse.Namespace) -> Request:
     out = _target(arguments)
     if arguments.report is not None:
         check_report_ending(arguments.report)
-    given = _given(arguments)
-    source = read_recording(arguments.file)
-    if out is not None:
-        check_ending(source, out)
-    common.show_warnings(source, console)
-    _check_source(source, accept_truncated=arguments.accept_truncated or arguments.dry_run)
-    method, params = registry.method(given.way.method), given.way.params
-    markers.require(source, getattr(params, "donors", ()))
-    limits = given.limits(source.recording.rate) if arguments.plan else _limits(arguments)
-    result = _fill(source, arguments.markers, method, params, limits, console)
-    files = {"report": arguments.report, "recipe": arguments.recipe}
-    if out is None:
-        done = outcome.Outcome(source, method, params, limits, result, None)
-        console.result(**done.as_json(files, samples=arguments.samples))
-        done.show(console, files)
-        return 0
-    console.start("Writing")
-    changes = engine.changes_of(source, result, method.id, params)
-    if arguments.recipe is not None:
-        # Before the recording, which may be replaced by its repaired copy.
-        recipe.write_recipe(source, changes.repairs, arguments.recipe, kept_open=changes.kept_open)
-    exported = engine.export(
-        source,
-        changes,
-        out,
-        arguments.in_place,
-        arguments.accept_truncated,
-        console.progress,
+    words = arguments.markers
+    if words is not None and not any(part.strip() for word in words for part in word.split(",")):
+        raise UsageError("--markers names no marker")
+    return Request(
+        file=arguments.file,
+        plan=_given(arguments),
+        limits=None if arguments.plan else Limits(arguments.max_gap, arguments.max_error),
+        out=out,
+        markers=None if words is None else tuple(words),
+        report=arguments.report,
+        recipe=arguments.recipe,
+        replace_source=arguments.in_place,
+        accept_truncated=arguments.accept_truncated,
     )
-    done = outcome.Outcome(source, method, params, limits, result, exported)
-    if arguments.report is not None:
-        console.start("Report")
-        _write_report(done, arguments.report, console)
-    if console.as_json:
-        console.result(**done.as_json(files, samples=arguments.samples))
-    done.show(console, files)
-    return 0
 
 
 def _target(arguments: argparse.Namespace) -> Path | None:
@@ -152,10 +138,6 @@ def _given(arguments: argparse.Namespace) -> Plan:
     if any(value not in (None, []) for value in chosen):
         raise UsageError("--plan says the method and the limits: give no others")
     return read_plan(arguments.plan)
-
-
-def _limits(arguments: argparse.Namespace) -> Limits:
-    return Limits(max_gap=arguments.max_gap, max_error_mm=arguments.max_error)
 
 
 def _shipped() -> str:
@@ -201,60 +183,3 @@ def _params(method: registry.Method, pairs: Sequence[str]) -> Any:
         return registry.parse_params(method, values)
     except ValueError as error:
         raise UsageError(f"method {method.id}: {error}") from None
-
-
-def _check_source(source: Source, *, accept_truncated: bool) -> None:
-    if source.truncated and not accept_truncated:
-        raise MocapmendError(
-            f"The file is truncated: {source.recording.frames} of "
-            f"{source.frames_promised} frames are there.",
-            str(source.path),
-            "To repair what is there, add --accept-truncated.",
-        )
-    if not source.recording.points.size:
-        raise MocapmendError(
-            "The file holds no marker data: there is nothing to repair.",
-            str(source.path),
-            "Choose another file.",
-        )
-
-
-def _fill(
-    source: Source,
-    labels: Sequence[str] | None,
-    method: registry.Method,
-    params: Any,
-    limits: Limits,
-    console: Console,
-) -> FillResult:
-    """Fill the gaps of the markers that were asked for; account for all others too."""
-    recording = source.measured
-    never = source.never_filled
-    gaps = [gap for gap in source.open_gaps() if gap not in never]
-    wanted = markers.choose(source, labels)
-    console.start("Filling")
-    result = engine.fill(
-        recording,
-        [gap for gap in gaps if gap.marker in wanted],
-        method.id,
-        params,
-        limits,
-        console.progress,
-    )
-    result = markers.with_the_others(result, gaps, wanted)
-    protected = [Unfilled(gap, reason) for gap, reason in never.items()]
-    unfilled = sorted([*result.unfilled, *protected], key=lambda entry: entry.gap)
-    return dataclasses.replace(result, unfilled=tuple(unfilled))
-
-
-def _write_report(done: outcome.Outcome, path: Path, console: Console) -> None:
-    engine.write_report(
-        done.source.measured,
-        done.after,
-        engine.find_skeleton(done.source, console.progress),
-        done.all_repairs,
-        done.result.unfilled,
-        done.about,
-        path,
-        console.progress,
-    )

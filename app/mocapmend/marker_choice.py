@@ -1,9 +1,8 @@
-"""Which markers a command is about."""
+"""Which markers a repair is about. No Qt."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from mocapmend.cli.usage import UsageError
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source
 from mocapmend_algorithms import Gap
@@ -24,6 +23,11 @@ def choose(source: Source, words: Sequence[str] | None) -> frozenset[int]:
         Labels, or several joined by commas; all markers if None. A label that several markers
         have means all of them.
 
+    Returns
+    -------
+    frozenset of int
+        Indices of markers.
+
     Raises
     ------
     MocapmendError
@@ -35,8 +39,6 @@ def choose(source: Source, words: Sequence[str] | None) -> frozenset[int]:
     # A label may hold a comma itself.
     parts = [part for word in words for part in ([word] if word in labels else word.split(","))]
     wanted = {part.strip() for part in parts} - {""}
-    if not wanted:
-        raise UsageError("--markers names no marker")
     require(source, wanted)
     return frozenset(index for index, label in enumerate(labels) if label in wanted)
 

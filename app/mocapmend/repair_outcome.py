@@ -1,0 +1,133 @@
+"""What became of one file that was repaired by a plan. No Qt."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mocapmend.engine import Exported, repaired
+from mocapmend.files import Source
+from mocapmend.prospects import Way
+from mocapmend.report import About, EditRow, Methods, RepairRow, describe, method_text, summarise
+from mocapmend.wording import count
+from mocapmend_algorithms import Recording, no_progress
+from mocapmend_algorithms.fill import registry
+from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.fill.registry import Method
+from mocapmend_algorithms.skeleton import Skeleton
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """A finished repair, or a dry run.
+
+    Attributes
+    ----------
+    source : Source
+        The file as it was read.
+    way : Way
+        The method and its parameters.
+    limits : Limits
+        What it was allowed to fill.
+    result : FillResult
+        Every gap, filled or with the reason why it is open.
+    exported : Exported or None
+        What was written, and the proofs; None in a dry run.
+    """
+
+    source: Source
+    way: Way
+    limits: Limits
+    result: FillResult
+    exported: Exported | None
+
+    @property
+    def method(self) -> Method:
+        """The method."""
+        return registry.method(self.way.method)
+
+    @property
+    def params(self) -> Any:
+        """Its parameter dataclass."""
+        return self.way.params
+
+    @cached_property
+    def repairs(self) -> tuple[RepairRow, ...]:
+        """The filled gaps."""
+        recording, method = self.source.recording, self.way.method
+        return tuple(
+            RepairRow.of(patch, method, recording, self.result.donors(patch.gap))
+            for patch in self.result.patches
+        )
+
+    @property
+    def all_repairs(self) -> tuple[RepairRow, ...]:
+        """The gaps that the file's earlier repairs fill, and those that were filled now."""
+        known = zip(self.source.repaired, self.source.repairs, strict=True)
+        rows = [RepairRow.from_record(gap, record) for gap, record in known]
+        return tuple(sorted([*rows, *self.repairs], key=lambda row: row.gap))
+
+    @property
+    def samples_filled(self) -> int:
+        """Number of samples that were filled."""
+        return sum(row.gap.length for row in self.repairs)
+
+    @property
+    def samples_missing(self) -> int:
+        """Number of samples that were missing when the file was read."""
+        return int(np.count_nonzero(~self.source.recording.present))
+
+    @cached_property
+    def after(self) -> Recording:
+        """The recording with all its repairs."""
+        return repaired(self.source.recording, self.result)
+
+    @property
+    def about(self) -> About:
+        """The head of the report."""
+        provenance = self.source.provenance
+        return About(
+            file=self.source.path.name,
+            methods=(self.method_text,),
+            limits=self.limits_text,
+            warnings=self.source.warnings,
+            earlier=len(self.source.repairs),
+            earlier_program=provenance.program if provenance is not None else "",
+            proof=() if self.exported is None else self.exported.sentences,
+            edits=self._edits(),
+        )
+
+    @property
+    def method_text(self) -> str:
+        """The method with those parameters that were chosen."""
+        return method_text(*self.way)
+
+    @property
+    def limits_text(self) -> str:
+        """The limits that held, as a sentence."""
+        rate = self.source.recording.rate
+        frames = self.limits.frames(self.method, rate)
+        parts = []
+        if frames is not None:
+            longest = count(frames, "frame")
+            parts.append(f"no gap longer than {longest} ({1000 * frames / rate:.0f} ms)")
+        if np.isfinite(self.limits.error_mm):
+            parts.append(f"no expected error above {self.limits.error_mm:g} mm")
+        return (", ".join(parts) or "none") + (" (default guard)" if self.limits.default else "")
+
+    def methods(self) -> Methods:
+        """Return what a paper says about it."""
+        no_bones = Skeleton("", (), "none")
+        rows, unfilled = self.all_repairs, self.result.unfilled
+        figures = summarise(self.source.measured, self.after, no_bones, rows, unfilled, no_progress)
+        return describe(figures, self.about)
+
+    def _edits(self) -> tuple[EditRow, ...]:
+        gaps = [row.gap for row in self.repairs]
+        if not gaps:
+            return ()
+        text = f"fill {count(len(gaps), 'gap')} ({self.way.method})"
+        markers = {gap.marker for gap in gaps}
+        return (EditRow(text, len(markers), len(gaps), self.samples_filled),)
