@@ -24,14 +24,16 @@ class Fits(NamedTuple):
     ----------
     away : ndarray, shape (blocks,)
         Root mean square distance of the block's samples from the fit.
-    least : ndarray, shape (blocks,)
-        The smallest of these distances.
+    least, first, last : ndarray, shape (blocks,)
+        The smallest of these distances, and those of the first and the last sample.
     misfit : ndarray, shape (blocks,)
         Standard error of the fit on the samples beside the block; infinite where they are too few.
     """
 
     away: FloatArray
     least: FloatArray
+    first: FloatArray
+    last: FloatArray
     misfit: FloatArray
 
 
@@ -43,7 +45,7 @@ def fit_blocks(points: FloatArray, start: IntArray, length: int) -> Fits:
     points : ndarray, shape (frames, 3)
         One trajectory, NaN = missing.
     start : ndarray of int, shape (blocks,)
-        First frames.
+        First frames; a block with a missing sample compares as NaN.
     length : int
         Frames of each block.
 
@@ -61,9 +63,45 @@ def fit_blocks(points: FloatArray, start: IntArray, length: int) -> Fits:
     inner = _take(points, start[:, None] + inside)
     apart = inner - power_inside @ coefficients
     square = np.einsum("nkc,nkc->nk", apart, apart)
-    away = np.sqrt(np.nanmean(square, axis=1)) if len(start) else np.zeros(0)
-    least = np.sqrt(np.nanmin(square, axis=1)) if len(start) else np.zeros(0)
-    return Fits(away, least, np.where(usable, misfit, np.inf))
+    return Fits(
+        np.sqrt(square.mean(axis=1)),
+        np.sqrt(square.min(axis=1)),
+        np.sqrt(square[:, 0]),
+        np.sqrt(square[:, -1]),
+        np.where(usable, misfit, np.inf),
+    )
+
+
+def usual_away(points: FloatArray, start: IntArray, length: int) -> FloatArray:
+    """Return how far blocks around some blocks are from where the samples beside them lead.
+
+    Parameters
+    ----------
+    points : ndarray, shape (frames, 3)
+        One trajectory, NaN = missing.
+    start : ndarray of int, shape (blocks,)
+        First frames.
+    length : int
+        Frames of each block.
+
+    Returns
+    -------
+    ndarray, shape (blocks,)
+        Median of up to 16 blocks that have nothing to do with it; 0 where there are none.
+    """
+    clear = length + SIDE
+    steps = clear + np.arange(8) * max(1, clear // 4)
+    around = start[:, None] + np.concatenate((-steps[::-1], steps))
+    around = np.clip(around, 0, max(0, len(points) - length))
+    around[np.abs(around - start[:, None]) < clear] = 0
+    fits = fit_blocks(points, around.ravel(), length)
+    away = np.where(np.isfinite(fits.misfit), fits.away, np.nan).reshape(around.shape)
+    away[np.abs(around - start[:, None]) < clear] = np.nan
+    away.sort(axis=1)  # NaN last
+    count = away.shape[1] - np.isnan(away).sum(axis=1)
+    middle = np.take_along_axis(away, np.maximum(count - 1, 0)[:, None] // 2, axis=1)[:, 0]
+    usual: FloatArray = np.nan_to_num(middle)
+    return usual
 
 
 def block_offsets(points: FloatArray, start: int, length: int) -> FloatArray:

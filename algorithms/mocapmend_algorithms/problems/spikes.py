@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
-from mocapmend_algorithms.problems.blocks import SIDE, block_offsets, fit_blocks
+from mocapmend_algorithms.problems.blocks import SIDE, Fits, block_offsets, fit_blocks, usual_away
 from mocapmend_algorithms.problems.levels import running_level
 from mocapmend_algorithms.problems.mates import common_offset, nearest_mates
 from mocapmend_algorithms.progress import Progress, part
@@ -29,7 +29,13 @@ BREAK = 4.0
 """Times the level around it that a break has."""
 SHARP = 0.4
 """Of the deviation, the step at either end: what goes out and comes back by degrees is motion."""
+LEAST_SHARE = 0.15
+"""Of the deviation, that of the best sample of a spike."""
+SMALL_MM = 12.0
 NEXT_BREAKS = 6
+LEAST_LONGEST = 5
+UNUSUAL = 3.0
+"""Times what blocks of the same length around it are away from where their sides lead."""
 PASSES = 3
 UNMISTAKABLE = 30.0
 """Times the noise: so far, neighbours that jump as well are no excuse."""
@@ -49,7 +55,7 @@ class SpikesParams:
     longest_ms: float = option(
         60.0,
         label="Longest spike",
-        text="What is away for longer may be anything; at least three frames are looked at.",
+        text="What is away for longer may be anything; but up to 5 frames are always looked at.",
         minimum=0.0,
         maximum=500.0,
         unit="ms",
@@ -91,7 +97,7 @@ def spikes(
         Ordered by marker and start.
     """
     del skeleton
-    longest = max(3, round(params.longest_ms * recording.rate / 1000))
+    longest = max(LEAST_LONGEST, round(params.longest_ms * recording.rate / 1000))
     found = []
     for marker in range(recording.markers):
         progress(0.8 * marker / recording.markers)
@@ -146,17 +152,20 @@ def _of_one(
 def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -> list[_Found]:
     step = steps(points)
     level = running_level(step, rate)
-    edges = np.flatnonzero(step > np.maximum(SHARP * params.least_mm, BREAK * level))
-    start, stop = _pairs(edges, longest)
+    with np.errstate(invalid="ignore"):
+        broken = step > np.maximum(SHARP * params.least_mm, BREAK * level)
+    start, stop = _pairs(points, np.flatnonzero(np.append(broken, False) | _beside_gaps(points)), longest)
     candidates: list[_Found] = []
     for length in np.unique(stop - start).tolist():
         first = start[stop - start == length]
         fits = fit_blocks(points, first, length)
         noise = np.sqrt(fits.misfit**2 + level[first] ** 2 + FLOOR_MM**2)
         ratio = fits.away / noise
-        good = (fits.away >= params.least_mm) & (ratio >= params.times_noise)
-        good &= fits.least >= np.maximum(0.2 * fits.away, 2.0 * noise)
-        good &= np.minimum(step[first], step[first + length]) >= SHARP * fits.away
+        with np.errstate(invalid="ignore"):
+            good = (fits.away >= params.least_mm) & (ratio >= _needed(fits.away, params))
+            good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
+            good &= _sharp(step, first, length, fits)
+        good[good] = fits.away[good] >= UNUSUAL * usual_away(points, first[good], length)
         for at in np.flatnonzero(good).tolist():
             candidates.append(
                 _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
@@ -164,12 +173,41 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
     return _apart(candidates)
 
 
-def _pairs(edges: IntArray, longest: int) -> tuple[IntArray, IntArray]:
-    """Pair each break with the next few, as first and last of what lies between."""
+def _needed(away: FloatArray, params: SpikesParams) -> FloatArray:
+    """Ask for more certainty where less is at stake."""
+    needed: FloatArray = params.times_noise * np.maximum(1.0, SMALL_MM / np.maximum(away, 1e-9))
+    return needed
+
+
+def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolArray:
+    """Whether both ends are steps."""
+    step = np.append(step, np.nan)
+    into, back = step[first], step[first + length]
+    # Beside a gap it cannot be told.
+    into = np.where(np.isnan(into), fits.first, into)
+    back = np.where(np.isnan(back), fits.last, back)
+    sharp = (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
+    sharp &= np.maximum(into, back) >= SHARP * fits.away
+    return sharp
+
+
+def _beside_gaps(points: FloatArray) -> BoolArray:
+    """Mark the frames where a seen stretch begins or has just ended, and those next to them."""
+    seen = np.concatenate(([False], ~np.isnan(points[:, 0]), [False]))
+    beside = np.diff(seen.astype(np.int8)) != 0
+    near = beside.copy()
+    near[1:] |= beside[:-1]
+    near[:-1] |= beside[1:]
+    return near
+
+
+def _pairs(points: FloatArray, edges: IntArray, longest: int) -> tuple[IntArray, IntArray]:
+    """Pair each edge with the next few, as first and last of what lies between and is seen."""
+    missing = running_count(np.isnan(points[:, 0]))
     starts, stops = [], []
     for ahead in range(1, NEXT_BREAKS + 1):
         a, b = edges[:-ahead], edges[ahead:]
-        near = b - a <= longest
+        near = (b - a <= longest) & (missing[b] == missing[a])
         starts.append(a[near])
         stops.append(b[near])
     return np.concatenate(starts), np.concatenate(stops)
@@ -223,7 +261,9 @@ def _stands_out(
     if common is None or np.isnan(own).any():
         return True
     apart = float(np.sqrt(np.mean(np.sum((own - common) ** 2, axis=1))))
-    return apart >= params.least_mm and spike.ratio * apart / spike.away >= params.times_noise
+    return apart >= params.least_mm and spike.ratio * apart / spike.away >= float(
+        _needed(np.array(apart), params)
+    )
 
 
 def _described(
