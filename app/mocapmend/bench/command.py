@@ -16,6 +16,7 @@ BENCHES = {
     "poses": "sparse codes of poses: dictionary size, gap length, missing markers",
     "paper": "a paper's experiment: joints of a skeleton, neighbours missing for long",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
+    "problems": "detectors of bad samples, on recordings with errors put in",
 }
 """Each is a module with `add_arguments(parser)` and `run(arguments)`, which returns a result."""
 
