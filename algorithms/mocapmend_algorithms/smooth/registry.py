@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mocapmend_algorithms.fill import params
-from mocapmend_algorithms.smooth import butterworth
+from mocapmend_algorithms.smooth import butterworth, gcv, kalman_smoother, savgol
 from mocapmend_algorithms.smooth.contract import SmoothFunction
 
 
@@ -42,6 +42,31 @@ _ALL = (
         params=butterworth.ButterworthParams,
         help="Takes away what is faster than a cut-off frequency, forwards and backwards so that "
         "nothing is delayed. The common choice of biomechanics; it rounds off impacts.",
+    ),
+    Smoother(
+        id="savgol",
+        label="Savitzky-Golay",
+        function=savgol.savgol,
+        params=savgol.SavgolParams,
+        help="Fits a polynomial to a short stretch around each sample. Keeps the height of peaks "
+        "better than most; what is faster than its window is not taken away completely.",
+    ),
+    Smoother(
+        id="gcv",
+        label="Woltring, quintic spline",
+        function=gcv.gcv,
+        params=gcv.GcvParams,
+        help="A quintic spline that smooths by as much as generalised cross-validation says. Good "
+        "where speeds and accelerations are wanted; jitter that lasts for several frames is taken "
+        "for motion.",
+    ),
+    Smoother(
+        id="kalman-smoother",
+        label="Kalman smoother",
+        function=kalman_smoother.kalman_smoother,
+        params=kalman_smoother.KalmanSmootherParams,
+        help="Weighs each sample against what the motion around it lets expect. How fast the "
+        "motion changes and how noisy the samples are is estimated from the samples.",
     ),
 )
 
