@@ -1,0 +1,124 @@
+"""Quintic smoothing spline with generalised cross-validation (Woltring's GCVSPL).
+
+W86 = Woltring 1986, A Fortran package for generalized, cross-validatory spline smoothing and
+differentiation, Advances in Engineering Software 8(2):104-113. How much is smoothed is chosen by
+generalised cross-validation (Craven and Wahba 1979; W86's mode 2), or by the noise of the samples
+where it is known (the unbiased risk; W86's mode 3).
+
+W86 calls 1 / (1 + p w^6) the spline's response: that of a Butterworth filter of order 3 that goes
+forwards and backwards. The cut-off that is told is where this halves the power.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import FloatArray
+from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.smooth.contract import Run, SmoothResult
+from mocapmend_algorithms.smooth.cutoffs import cutoff_grid
+from mocapmend_algorithms.smooth.quintic import LEAST, degrees_left, penalty, residuals
+from mocapmend_algorithms.smooth.stretches import check_runs, smooth_runs
+
+
+@dataclass(frozen=True)
+class GcvParams:
+    """Parameters of `gcv`."""
+
+    noise_mm: float | None = option(
+        None,
+        label="Measurement noise",
+        text="Standard deviation of a measured coordinate: about so much is smoothed away. "
+        "Automatic: generalised cross-validation.",
+        minimum=0.0,
+        maximum=1000.0,
+        unit="mm",
+    )
+
+
+def gcv(
+    recording: Recording, runs: Sequence[Run], params: GcvParams, progress: Progress, /
+) -> SmoothResult:
+    """Smooth runs with a quintic spline.
+
+    Parameters
+    ----------
+    recording : Recording
+        Not changed.
+    runs : sequence of Run
+        Where samples may change.
+    params : GcvParams
+        With `noise_mm` None, the smoothing is chosen by generalised cross-validation.
+    progress : Progress
+        Called before each run.
+
+    Returns
+    -------
+    SmoothResult
+        `chosen` holds `cutoff_hz` and the estimated `noise` per axis.
+
+    Raises
+    ------
+    ValueError
+        If the noise is negative, or the runs are outside the recording or overlap.
+    """
+    check_runs(recording, runs)
+    if params.noise_mm is not None and not params.noise_mm >= 0:
+        raise ValueError(f"noise_mm must be at least 0 mm, not {params.noise_mm:g}")
+    noise = None if params.noise_mm is None else params.noise_mm / recording.mm
+    return smooth_runs(
+        recording,
+        runs,
+        method="gcv",
+        params=params,
+        least=LEAST,
+        smooth=partial(_smooth, rate=recording.rate, noise=noise),
+        progress=progress,
+    )
+
+
+def _smooth(
+    samples: list[FloatArray], *, rate: float, noise: float | None
+) -> tuple[list[FloatArray], dict[str, Any]]:
+    grid = cutoff_grid(rate)
+    penalties = tuple(penalty(cutoff, rate) for cutoff in grid)
+    left = np.sum([degrees_left(len(one), penalties) for one in samples], axis=0)
+    squares = np.array(
+        [sum(np.sum(residuals(one, p) ** 2, axis=0) for one in samples) for p in penalties]
+    )
+    best = choose(squares, left, noise)
+    axes = range(samples[0].shape[1])
+    smoothed = [
+        np.stack([one[:, a] - residuals(one[:, [a]], penalties[best[a]])[:, 0] for a in axes], 1)
+        for one in samples
+    ]
+    spread = [float(np.sqrt(squares[best[a], a] / left[best[a]])) for a in axes]
+    return smoothed, {"cutoff_hz": [grid[best[a]] for a in axes], "noise": spread}
+
+
+def choose(squares: FloatArray, left: FloatArray, noise: float | None) -> list[int]:
+    """Choose the smoothing of each trajectory.
+
+    Parameters
+    ----------
+    squares : ndarray, shape (penalties, trajectories)
+        Sums of squared residuals.
+    left : ndarray, shape (penalties,)
+        Degrees of freedom that are left; see `quintic.degrees_left`.
+    noise : float or None
+        Standard deviation of a coordinate; None for generalised cross-validation.
+
+    Returns
+    -------
+    list of int
+        The place of the penalty that minimises squares / left^2, or squares - 2 noise^2 left.
+    """
+    score = (
+        squares / left[:, None] ** 2 if noise is None else squares - 2 * noise**2 * left[:, None]
+    )
+    return [int(place) for place in np.argmin(score, axis=0)]
