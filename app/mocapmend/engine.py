@@ -4,24 +4,24 @@ Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
 import os
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from mocapmend import report, training, user_templates
+from mocapmend.changes import Changes as Changes
+from mocapmend.changes import changes_of as changes_of
+from mocapmend.changes import kept_gap as kept_gap
+from mocapmend.changes import record as record
+from mocapmend.changes import repaired as repaired
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
-    NO_CORRECTIONS,
     CheckReport,
     Claim,
-    Corrections,
-    KeptGap,
     Provenance,
-    RepairRecord,
-    SampleRun,
     Saved,
     Source,
     Way,
@@ -35,7 +35,7 @@ from mocapmend.shared_memory import shared_array
 from mocapmend.states import States
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.progress import part
@@ -239,83 +239,6 @@ def train_sparse(
         raise training.complaint(error, "", todo) from error
     progress(1.0)
     return made
-
-
-@dataclass(frozen=True)
-class Changes:
-    """What a copy of a file has that the file has not.
-
-    Attributes
-    ----------
-    runs : tuple of SampleRun
-        The samples that change.
-    repairs : tuple of RepairRecord
-        All repairs that the copy has, earlier ones included.
-    kept_open : tuple of KeptGap
-        All gaps that are kept open in it.
-    corrections : Corrections
-        All that was put right in it besides filling gaps.
-    """
-
-    runs: tuple[SampleRun, ...]
-    repairs: tuple[RepairRecord, ...]
-    kept_open: tuple[KeptGap, ...] = ()
-    corrections: Corrections = NO_CORRECTIONS
-
-
-def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
-    """Return what a fill changes in a file; its earlier repairs and open gaps stay."""
-    runs = [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
-    new = [
-        record(source, patch, method_id, params, result.donors(patch.gap))
-        for patch in result.patches
-    ]
-    filled = {patch.gap for patch in result.patches}
-    kept = [entry for gap, entry in source.kept_open.items() if gap not in filled]
-    return Changes(tuple(runs), (*source.repairs, *new), tuple(kept))
-
-
-def record(
-    source: Source,
-    patch: Patch,
-    method_id: str,
-    params: Any,
-    donors: tuple[str, ...] = (),
-) -> RepairRecord:
-    """Describe a repair for the repair record."""
-    recording = source.recording
-    return RepairRecord(
-        *_place(source, patch.gap),
-        method=method_id,
-        parameters=(
-            dict(params)
-            if isinstance(params, Mapping)
-            else asdict(params) | training.digests(params)
-        ),
-        donors=donors,
-        expected_error_mm=patch.expected_error * recording.mm,
-        r90_mm=patch.typical_r90 * recording.mm,
-    )
-
-
-def kept_gap(source: Source, gap: Gap, *, never: bool, reason: str) -> KeptGap:
-    """Describe a gap that is kept open for the repair record."""
-    return KeptGap(*_place(source, gap), never=never, reason=reason)
-
-
-def _place(source: Source, gap: Gap) -> tuple[str, int, int, int]:
-    """Return marker, point, first and last frame of a gap as a repair record has them."""
-    recording = source.recording
-    first, last = recording.first_frame + gap.start, recording.first_frame + gap.stop - 1
-    return recording.labels[gap.marker], source.stored_points[gap.marker] + 1, first, last
-
-
-def repaired(recording: Recording, result: FillResult) -> Recording:
-    """Return a recording with the filled samples in it."""
-    points = recording.points.copy()
-    for patch in result.patches:
-        points[patch.gap.start : patch.gap.stop, patch.gap.marker] = patch.values
-    return recording.with_points(points)
 
 
 @dataclass(frozen=True)

@@ -131,9 +131,7 @@ def steps(points: FloatArray) -> FloatArray:
     return step
 
 
-def _of_one(
-    points: FloatArray, rate: float, longest: int, params: SpikesParams
-) -> list[_Found]:
+def _of_one(points: FloatArray, rate: float, longest: int, params: SpikesParams) -> list[_Found]:
     """Find the spikes of one trajectory; those found first are mended to see the others."""
     if len(points) < 2 * SIDE:
         return []
@@ -154,7 +152,9 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
     level = running_level(step, rate)
     with np.errstate(invalid="ignore"):
         broken = step > np.maximum(SHARP * params.least_mm, BREAK * level)
-    start, stop = _pairs(points, np.flatnonzero(np.append(broken, False) | _beside_gaps(points)), longest)
+    start, stop = _pairs(
+        points, np.flatnonzero(np.append(broken, False) | _beside_gaps(points)), longest
+    )
     candidates: list[_Found] = []
     for length in np.unique(stop - start).tolist():
         first = start[stop - start == length]
@@ -266,9 +266,7 @@ def _stands_out(
     )
 
 
-def _described(
-    recording: Recording, marker: int, spike: _Found, params: SpikesParams
-) -> BadRun:
+def _described(recording: Recording, marker: int, spike: _Found, params: SpikesParams) -> BadRun:
     frames = "1 frame" if spike.length == 1 else f"{spike.length} frames"
     return BadRun(
         kind="spikes",

@@ -127,7 +127,8 @@ class SmoothedRun(RecordedRun):
             If it is none.
         """
         values = values_of(data, _SMOOTHED, "a run that was smoothed")
-        values["parameters"] = {k: parameter(v) for k, v in values["parameters"].items()}
+        known = values["parameters"].items()
+        values["parameters"] = {k: parameter(v, (str, int, float)) for k, v in known}
         change = values["rms_change_mm"]
         return cls(**values | {"rms_change_mm": math.nan if change is None else float(change)})
 

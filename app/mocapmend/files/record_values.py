@@ -57,16 +57,16 @@ def _wrong_key(data: Mapping[str, object], kinds: Kinds) -> str | None:
     return None
 
 
-def parameter(value: object) -> object:
+def parameter(value: object, listed: tuple[type, ...] = (str,)) -> object:
     """Return a parameter as it was before it was written: JSON has no tuples.
 
     Raises
     ------
     ValueError
-        If it is neither a number nor a text, nor a list of texts.
+        If it is neither a number nor a text, nor a list of texts, or of what `listed` says.
     """
     parts = value if isinstance(value, list) else [value]
-    kinds = str if isinstance(value, list) else SCALARS
+    kinds = listed if isinstance(value, list) else SCALARS
     if not all(isinstance(part, kinds) and is_plain(part) for part in parts):
         raise ValueError("a parameter is neither a number nor a text, nor a list of texts")
     return tuple(value) if isinstance(value, list) else value

@@ -157,6 +157,12 @@ class Source:
             before[move.start : move.stop, move.origin] = now[move.start : move.stop, move.marker]
         return self.recording.with_points(before)
 
+    def place(self, run: Gap) -> tuple[str, int, int, int]:
+        """Return marker, point, first and last frame of a run as a repair record has them."""
+        recording = self.recording
+        first, last = recording.first_frame + run.start, recording.first_frame + run.stop - 1
+        return recording.labels[run.marker], self.stored_points[run.marker] + 1, first, last
+
     def read_fourth(self, runs: Sequence[Gap]) -> list[NDArray[np.float32]]:
         """Return what the file stores beside the coordinates of some runs; here it is nothing.
 

@@ -1,0 +1,188 @@
+"""What the repairs of a recording change in its file, and what its repair record says. No Qt."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mocapmend import training
+from mocapmend.files import (
+    NO_CORRECTIONS,
+    Corrections,
+    KeptGap,
+    RepairRecord,
+    SampleRun,
+    SmoothedRun,
+    Source,
+)
+from mocapmend.files.records import RecordedRun
+from mocapmend.layers import Layers, Mask
+from mocapmend.written import differing_runs, places_of
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.smooth.contract import SmoothResult
+
+Entry = TypeVar("Entry", bound=RecordedRun)
+
+
+@dataclass(frozen=True)
+class Changes:
+    """What a copy of a file has that the file has not.
+
+    Attributes
+    ----------
+    runs : tuple of SampleRun
+        The samples that change; where they overlap, the last one counts.
+    repairs : tuple of RepairRecord
+        All repairs that the copy has, earlier ones included.
+    kept_open : tuple of KeptGap
+        All gaps that are kept open in it.
+    corrections : Corrections
+        All that was put right in it besides filling gaps.
+    """
+
+    runs: tuple[SampleRun, ...]
+    repairs: tuple[RepairRecord, ...]
+    kept_open: tuple[KeptGap, ...] = ()
+    corrections: Corrections = NO_CORRECTIONS
+
+
+@dataclass(frozen=True, eq=False)
+class Repaired:
+    """A recording with its repairs, layer by layer.
+
+    Attributes
+    ----------
+    layers : Layers
+        What was exchanged and set aside.
+    points : ndarray, shape (frames, markers, 3)
+        All samples as they are in the end.
+    fills : mapping of Gap to RepairRecord
+        The gaps that are filled, by earlier repairs too.
+    kept_open : mapping of Gap to KeptGap
+        The gaps that are kept open.
+    smoothed : mapping of Gap to SmoothedRun
+        The runs that are smoothed, earlier ones included.
+    """
+
+    layers: Layers
+    points: NDArray[np.float64]
+    fills: Mapping[Gap, RepairRecord]
+    kept_open: Mapping[Gap, KeptGap]
+    smoothed: Mapping[Gap, SmoothedRun] = field(default_factory=dict)
+
+    def changes(self) -> Changes:
+        """Return what differs from the file."""
+        source = self.layers.source
+        touched = [*self.layers.touched(), *self.fills, *self.smoothed, *source.smoothed]
+        places = places_of(touched)
+        runs = differing_runs(self.points[places], source.recording.points, places)
+        earlier = NO_CORRECTIONS if source.provenance is None else source.provenance.corrections
+        others = Corrections(smoothed=_ordered(self.smoothed), renamed=earlier.renamed)
+        return Changes(
+            (*runs, *self.layers.stored_runs(self._untouched)),
+            _ordered(self.fills),
+            _ordered(self.kept_open),
+            self.layers.corrections(others),
+        )
+
+    def _untouched(self, run: Gap) -> Mask:
+        """Say which samples of a run are to be as they were stored."""
+        mask = np.ones(run.length, np.bool_)
+        for others in (self.fills, self.smoothed, self.layers.set_aside):
+            for other in others:
+                if other.marker == run.marker:
+                    mask[max(0, other.start - run.start) : max(0, other.stop - run.start)] = False
+        return mask
+
+
+def _ordered(entries: Mapping[Gap, Entry]) -> tuple[Entry, ...]:
+    """Return entries by point and frame, which is not always the order of markers."""
+    return tuple(sorted(entries.values(), key=lambda entry: entry.place))
+
+
+def filled(layers: Layers, result: FillResult, method_id: str, params: Any) -> Repaired:
+    """Return a recording with gaps filled; earlier repairs, and gaps kept open, stay.
+
+    Parameters
+    ----------
+    layers : Layers
+        That the fill was computed from.
+    result : FillResult
+        The fill.
+    method_id : str
+        Its method.
+    params : object
+        The method's parameters.
+    """
+    source = layers.source
+    fills = dict(layers.earlier)
+    points = layers.recording.points.copy()
+    for gap in fills:
+        points[gap.start : gap.stop, gap.marker] = source.recording.points[
+            gap.start : gap.stop, gap.marker
+        ]
+    for patch in result.patches:
+        gap = patch.gap
+        points[gap.start : gap.stop, gap.marker] = patch.values
+        fills[gap] = record(source, patch, method_id, params, result.donors(gap))
+    new = {patch.gap for patch in result.patches}
+    kept = {gap: entry for gap, entry in layers.kept_open.items() if gap not in new}
+    return Repaired(layers, points, fills, kept, source.smoothed)
+
+
+def smoothed(before: Repaired, result: SmoothResult) -> Repaired:
+    """Return a recording with runs smoothed."""
+    points = before.points.copy()
+    runs = dict(before.smoothed)
+    source = before.layers.source
+    for done in result.runs:
+        run = done.run
+        points[run.start : run.stop, run.marker] = done.values
+        parameters = {**result.params, **done.chosen}
+        change = done.rms * source.recording.mm
+        runs[run] = SmoothedRun(*source.place(run), result.method, parameters, change)
+    return Repaired(before.layers, points, before.fills, before.kept_open, runs)
+
+
+def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
+    """Return what a fill changes in a file; its earlier repairs and open gaps stay."""
+    return filled(Layers.of(source), result, method_id, params).changes()
+
+
+def record(
+    source: Source,
+    patch: Patch,
+    method_id: str,
+    params: Any,
+    donors: tuple[str, ...] = (),
+) -> RepairRecord:
+    """Describe a repair for the repair record."""
+    recording = source.recording
+    return RepairRecord(
+        *source.place(patch.gap),
+        method=method_id,
+        parameters=(
+            dict(params)
+            if isinstance(params, Mapping)
+            else asdict(params) | training.digests(params)
+        ),
+        donors=donors,
+        expected_error_mm=patch.expected_error * recording.mm,
+        r90_mm=patch.typical_r90 * recording.mm,
+    )
+
+
+def kept_gap(source: Source, gap: Gap, *, never: bool, reason: str) -> KeptGap:
+    """Describe a gap that is kept open for the repair record."""
+    return KeptGap(*source.place(gap), never=never, reason=reason)
+
+
+def repaired(recording: Recording, result: FillResult) -> Recording:
+    """Return a recording with the filled samples in it."""
+    points = recording.points.copy()
+    for patch in result.patches:
+        points[patch.gap.start : patch.gap.stop, patch.gap.marker] = patch.values
+    return recording.with_points(points)
