@@ -47,9 +47,7 @@ class Outcome:
     seconds: float
 
 
-def run_experiment(
-    experiment: Experiment, data: Path, half: str, repeats: int
-) -> list[Outcome]:
+def run_experiment(experiment: Experiment, data: Path, half: str, repeats: int) -> list[Outcome]:
     """Corrupt the recordings of a half, and look for the errors with the detector and its rivals."""
     corruptor = Corruptor(experiment.corrupt, seed=7 + repeats)
     score, seconds = Score(), 0.0
@@ -76,9 +74,7 @@ def detect_one(detector_id: str, canvas: Canvas) -> list[BadRun]:
     return way.function(recording, skeleton, way.params(), no_progress)
 
 
-def _rival(
-    experiment: Experiment, half: str, canvases: Sequence[Canvas], name: str
-) -> Outcome:
+def _rival(experiment: Experiment, half: str, canvases: Sequence[Canvas], name: str) -> Outcome:
     measure, unit = RIVALS[name]
     start = time.process_time()
     sizes = [measure(canvas.recording) for canvas in canvases]
