@@ -93,7 +93,21 @@ def swaps(
     for count, (pair, seen) in enumerate(sorted(pairs.items())):
         progress(0.7 + 0.3 * count / len(pairs))
         found += _of_pair(recording, pair, seen, jumps, likeness, distances, params)
-    return sorted(found, key=lambda run: (run.marker, run.start))
+    return sorted(_likeliest(found), key=lambda run: (run.marker, run.start))
+
+
+def _likeliest(runs: Sequence[BadRun]) -> list[BadRun]:
+    """Of swaps that share samples keep the surest: a marker has one label at a time."""
+    taken: list[BadRun] = []
+    for run in sorted(runs, key=lambda run: (-run.score, -run.length, run.marker, run.start)):
+        if not any(
+            {run.marker, run.other} & {other.marker, other.other}
+            and run.start < other.stop
+            and other.start < run.stop
+            for other in taken
+        ):
+            taken.append(run)
+    return taken
 
 
 def _neighbours_with_gaps(recording: Recording, likeness: Likeness) -> Iterable[tuple[int, int]]:
@@ -122,7 +136,8 @@ def _of_pair(
     found = []
     edges = np.flatnonzero(np.diff(np.concatenate(([0], swapped.astype(np.int8), [0]))))
     for first, last in edges.reshape(-1, 2).tolist():
-        run = _described(recording, pair, pieces[first:last], costs[first:last], distances)
+        sure = _certainty(pieces, costs, first, last)
+        run = _described(recording, pair, pieces[first:last], sure, distances)
         if run is not None and run.deviation * recording.mm >= params.least_mm:
             found.append(run)
     return found
@@ -192,11 +207,17 @@ def _course(pieces: Sequence[_Piece], costs: FloatArray) -> BoolArray:
     return np.array(course[::-1], dtype=np.bool_)
 
 
+def _certainty(pieces: Sequence[_Piece], costs: FloatArray, first: int, last: int) -> float:
+    """Return how much more it would cost to call these pieces right."""
+    edges = [pieces[at] for at in (first, last) if 0 < at < len(pieces)]
+    return float(sum(piece.stay - piece.change for piece in edges) - costs[first:last].sum())
+
+
 def _described(
     recording: Recording,
     pair: tuple[int, int],
     pieces: Sequence[_Piece],
-    costs: FloatArray,
+    sure: float,
     distances: PairDistances,
 ) -> BadRun | None:
     """Describe a swap over some pieces, without the frames at its ends in which nothing is seen."""
@@ -209,7 +230,6 @@ def _described(
     length = np.sqrt(np.einsum("tk,tk->t", apart, apart))
     known = length[~np.isnan(length)]
     away = float(np.median(known)) if known.size else distances.length[pair] / recording.mm
-    sure = -float(costs.sum()) + sum(piece.stay for piece in pieces[:1])
     labels = recording.labels
     frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
     return BadRun(
