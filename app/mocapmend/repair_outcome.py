@@ -10,8 +10,8 @@ from mocapmend.engine import Exported, repaired
 from mocapmend.files import Source
 from mocapmend.prospects import Way
 from mocapmend.report import About, EditRow, Methods, RepairRow, describe, method_text, summarise
-from mocapmend.wording import count
-from mocapmend_algorithms import Recording, no_progress
+from mocapmend.wording import count, span
+from mocapmend_algorithms import Gap, Recording, no_progress
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
@@ -116,6 +116,13 @@ class Outcome:
         if np.isfinite(self.limits.error_mm):
             parts.append(f"no expected error above {self.limits.error_mm:g} mm")
         return (", ".join(parts) or "none") + (" (default guard)" if self.limits.default else "")
+
+    def place(self, gap: Gap) -> str:
+        """Say where a gap is: marker and frames as the file counts them."""
+        recording = self.source.recording
+        first = recording.first_frame
+        frames = span(first + gap.start, first + gap.stop - 1)
+        return f"{recording.labels[gap.marker]}, frames {frames}"
 
     def methods(self) -> Methods:
         """Return what a paper says about it."""

@@ -61,6 +61,18 @@ def path_of(name: str) -> Path:
     return shipped.path_of(name) if name in shipped.names() else Path(name)
 
 
+def whole_paths(params: Any) -> Any:
+    """Return parameters that name the same training sets from any folder, on any machine like it.
+
+    Parameters
+    ----------
+    params : object
+        A parameter dataclass. Sets that ship with the program keep their names.
+    """
+    own = {key: name for key, name in _given(params).items() if name not in shipped.names()}
+    return replace(params, **{key: str(Path(name).absolute()) for key, name in own.items()})
+
+
 def complaint(error: TrainingSetError, where: str, todo: str = "") -> MocapmendError:
     """Return what the user is told when a training set cannot be used or made."""
     what = str(error).rstrip(".")

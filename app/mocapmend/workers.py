@@ -100,10 +100,10 @@ def _adopt(board: Board) -> None:
     """Give a new worker process the flags."""
     global _board  # noqa: PLW0603 - the one thing that a pool's initializer can do
     _board = board
-    threading.Thread(target=_leave_with_parent, daemon=True).start()
+    threading.Thread(target=leave_with_parent, daemon=True).start()
 
 
-def _leave_with_parent() -> None:
+def leave_with_parent() -> None:
     """End with the window, however it ended: else memory stays taken that nobody can free."""
     parent = multiprocessing.parent_process()
     assert parent is not None

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from mocapmend_algorithms.problems import spikes
+from mocapmend_algorithms.problems import spikes, swaps
 from mocapmend_algorithms.problems.contract import DetectFunction
 
 Remedy = Literal["missing", "exchange"]
@@ -48,6 +48,16 @@ _ALL = (
         help="Samples that leave the trajectory for one or a few frames and come back. Fast motion "
         "is told apart by the frames on both sides and by the neighbouring markers.",
         remedy="missing",
+    ),
+    Detector(
+        id="swaps",
+        label="Swapped labels",
+        function=swaps.swaps,
+        params=swaps.SwapsParams,
+        help="Two markers that carry each other's label for some time, also where a gap or the end "
+        "of the recording hides where it begins or ends. Labels that are swapped throughout cannot "
+        "be found.",
+        remedy="exchange",
     ),
 )
 

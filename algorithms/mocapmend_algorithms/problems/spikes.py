@@ -32,6 +32,7 @@ SHARP = 0.4
 LEAST_SHARE = 0.15
 """Of the deviation, that of the best sample of a spike."""
 SMALL_MM = 12.0
+PER_FRAME = 0.12
 NEXT_BREAKS = 6
 LEAST_LONGEST = 5
 UNUSUAL = 3.0
@@ -162,7 +163,7 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
         noise = np.sqrt(fits.misfit**2 + level[first] ** 2 + FLOOR_MM**2)
         ratio = fits.away / noise
         with np.errstate(invalid="ignore"):
-            good = (fits.away >= params.least_mm) & (ratio >= _needed(fits.away, params))
+            good = (fits.away >= params.least_mm) & (ratio >= _needed(fits.away, length, params))
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
             good &= _sharp(step, first, length, fits)
         good[good] = fits.away[good] >= UNUSUAL * usual_away(points, first[good], length)
@@ -173,9 +174,10 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
     return _apart(candidates)
 
 
-def _needed(away: FloatArray, params: SpikesParams) -> FloatArray:
-    """Ask for more certainty where less is at stake."""
-    needed: FloatArray = params.times_noise * np.maximum(1.0, SMALL_MM / np.maximum(away, 1e-9))
+def _needed(away: FloatArray, length: int, params: SpikesParams) -> FloatArray:
+    """Ask for more certainty where less is at stake, and where motion has more time."""
+    small = np.maximum(1.0, SMALL_MM / np.maximum(away, 1e-9))
+    needed: FloatArray = params.times_noise * (1.0 + PER_FRAME * (length - 1)) * small
     return needed
 
 
@@ -214,10 +216,10 @@ def _pairs(points: FloatArray, edges: IntArray, longest: int) -> tuple[IntArray,
 
 
 def _apart(candidates: Sequence[_Found]) -> list[_Found]:
-    """Of candidates that touch each other keep the one that is the furthest out."""
+    """Of candidates that touch each other keep the one that is the furthest out and short."""
     taken: list[_Found] = []
     used: set[int] = set()
-    for each in sorted(candidates, key=lambda c: (-c.ratio, c.length, c.start)):
+    for each in sorted(candidates, key=lambda c: (-c.ratio / c.length**1.0, c.start)):
         reach = range(each.start - 1, each.start + each.length + 1)
         if used.isdisjoint(reach):
             taken.append(each)
@@ -262,7 +264,7 @@ def _stands_out(
         return True
     apart = float(np.sqrt(np.mean(np.sum((own - common) ** 2, axis=1))))
     return apart >= params.least_mm and spike.ratio * apart / spike.away >= float(
-        _needed(np.array(apart), params)
+        _needed(np.array(apart), spike.length, params)
     )
 
 

@@ -12,6 +12,7 @@ from mocapmend.engine import Exported
 from mocapmend.files import CheckReport, Source
 from mocapmend.files.sidecar import sidecar_path
 from mocapmend.wording import count as count
+from mocapmend.wording import span as span
 from mocapmend_algorithms import Gap, Recording
 
 MOST_ROWS = 20
@@ -79,11 +80,6 @@ def place(recording: Recording, gap: Gap) -> dict[str, Any]:
 def frames_text(recording: Recording, gap: Gap) -> str:
     """Return the frames of a gap as people write them."""
     return span(recording.first_frame + gap.start, recording.first_frame + gap.stop - 1)
-
-
-def span(first: int, last: int) -> str:
-    """Return "7-12", or "7" for one frame."""
-    return f"{first}-{last}" if last > first else f"{first}"
 
 
 def milliseconds(recording: Recording, gap: Gap) -> float:

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import shutil
 import sys
 import time
 from collections.abc import Sequence
@@ -69,14 +70,30 @@ class Console:
 
     def progress(self, fraction: float, /) -> None:
         """Show how far the job is, where somebody looks."""
+        self.status(f"{self._title} {100 * fraction:3.0f} %")
+
+    @property
+    def changes_lines(self) -> bool:
+        """Whether stderr is a terminal, where a line can take another one's place."""
+        return sys.stderr.isatty()
+
+    def status(self, line: str) -> None:
+        """Show a line that the next one takes the place of, where somebody looks."""
         now = time.monotonic()
-        if now < self._next or not sys.stderr.isatty():
+        if now < self._next or not self.changes_lines:
             return
         self._next = now + STEP_S
-        line = f"{self._title} {100 * fraction:3.0f} %"
+        # A line that is wrapped cannot be taken back.
+        line = printable(line)[: shutil.get_terminal_size().columns - 1]
         sys.stderr.write("\r" + line.ljust(len(self._line)))
         sys.stderr.flush()
         self._line = line
+
+    def note(self, text: str) -> None:
+        """Print a line on stderr that says how the job goes on."""
+        self._clear()
+        sys.stderr.write(f"{printable(text)}\n")
+        sys.stderr.flush()
 
     def _clear(self) -> None:
         """Take the progress line away before anything else is printed."""

@@ -18,6 +18,7 @@ COMMANDS = {
     "info": "say what a file holds",
     "gaps": "list the gaps of a file",
     "repair": "fill gaps and write a repaired copy",
+    "batch": "repair many files by one plan, on all cores or on a cluster",
     "report": "write a report on a recording that was repaired earlier",
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",

@@ -147,9 +147,4 @@ def _worst(done: Outcome) -> str:
     if not known:
         return ""
     worst = max(known, key=lambda row: row.expected_error_mm)
-    recording = done.source.recording
-    return (
-        f"; largest expected error {worst.expected_error_mm:.1f} mm "
-        f"({recording.labels[worst.gap.marker]}, frames "
-        f"{common.frames_text(recording, worst.gap)})"
-    )
+    return f"; largest expected error {worst.expected_error_mm:.1f} mm ({done.place(worst.gap)})"

@@ -14,6 +14,7 @@ LEFT, RIGHT, TOP, BOTTOM = 58, 12, 12, 42
 PLOT_WIDTH, PLOT_HEIGHT = WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM
 Placed = Callable[[float, float], tuple[float, float]]
 """Puts a point of a chart in its place on a page."""
+TIME = "time (s)"
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 
 
@@ -54,8 +55,8 @@ class Chart:
 
     Attributes
     ----------
-    title, y_label : str
-        Above and beside the chart; the other axis is time in seconds.
+    title, y_label, x_label : str
+        Above, beside and below the chart.
     x_ticks, y_ticks : tuple of Tick
         In the chart's own units.
     lines : tuple of Line
@@ -70,6 +71,7 @@ class Chart:
     y_ticks: tuple[Tick, ...]
     lines: tuple[Line, ...]
     bands: tuple[tuple[float, float], ...] = ()
+    x_label: str = TIME
 
 
 def draw(
@@ -81,6 +83,7 @@ def draw(
     *,
     top: float | None = None,
     changed: BoolArray | None = None,
+    x_label: str = TIME,
 ) -> Chart:
     """Draw a quantity before and after.
 
@@ -96,6 +99,8 @@ def draw(
         Upper end of the axis; by default what the values need.
     changed : ndarray of bool, shape (frames,), optional
         What to shade.
+    x_label : str
+        What the other axis is in place of time, which then runs from 0 in steps of 1 / `rate`.
     """
     frames = len(after)
     seconds = max(frames - 1, 1) / rate
@@ -117,6 +122,7 @@ def draw(
         tuple(Tick(round(TOP + (high - at) * scale, 1), text) for at, text in _labelled(y_ticks)),
         (line("after", after), line("before", before)),
         _bands(changed, across) if changed is not None else (),
+        x_label,
     )
 
 

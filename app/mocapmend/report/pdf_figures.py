@@ -57,7 +57,7 @@ def _draw_axes(canvas: Canvas, chart: charts.Chart, at: charts.Placed) -> None:
         canvas.line(*at(tick.at, charts.TOP), *at(tick.at, bottom + 4))
         put(canvas, *at(tick.at, bottom + 17), tick.text, LABEL, "middle")
     middle = charts.LEFT + charts.PLOT_WIDTH / 2, charts.TOP + charts.PLOT_HEIGHT / 2
-    put(canvas, *at(middle[0], charts.HEIGHT - 6), "time (s)", LABEL, "middle")
+    put(canvas, *at(middle[0], charts.HEIGHT - 6), chart.x_label, LABEL, "middle")
     canvas.saveState()
     canvas.translate(*at(13, middle[1]))
     canvas.rotate(90)

@@ -32,12 +32,15 @@ class Table:
         The cells.
     note : str
         What was left out, and where it is; "" where nothing was.
+    links : tuple of tuple of str
+        Where a page's cells lead, "" for those that lead nowhere; empty where none does.
     """
 
     kind: ClassVar = "table"
     columns: tuple[Column, ...]
     rows: tuple[tuple[str, ...], ...]
     note: str = ""
+    links: tuple[tuple[str, ...], ...] = ()
 
 
 def bones(report: Report) -> Table:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mocapmend.bench.problems.corruption import Canvas, Corrupt, Corruptor, spike
+from mocapmend.bench.problems.corruption import Canvas, Corrupt, Corruptor, spike, swap
 from mocapmend.bench.problems.recordings import HALVES, load
 from mocapmend.bench.problems.rivals import RIVALS, best_threshold
 from mocapmend.bench.problems.scores import Score, flagged
@@ -33,6 +33,8 @@ EXPERIMENTS = (
     Experiment("spikes-1", "spikes", "1 frame, 20-200 mm", spike(20, 200, 1, 1), 0.98, True),
     Experiment("spikes-5", "spikes", "2-5 frames, 20-200 mm", spike(20, 200, 2, 5), 0.98, True),
     Experiment("spikes-small", "spikes", "1-5 frames, 5-20 mm", spike(5, 20, 1, 5), None, True),
+    Experiment("swaps", "swaps", "1-500 frames, 50 mm apart or more", swap(50, 1e9, 500), 0.95),
+    Experiment("swaps-near", "swaps", "1-500 frames, 20-50 mm apart", swap(20, 50, 500)),
 )
 
 

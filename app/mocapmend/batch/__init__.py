@@ -1,0 +1,1 @@
+"""Many recordings repaired by one plan: on all cores, or on a Dask cluster. No Qt."""

@@ -1,0 +1,128 @@
+"""What a batch has done so far: a file in the output folder to which lines are added.
+
+A line is written before a file is begun and another when it is done, so that after a crash it is
+known which copies are whole, and which files were made by a batch at all. Nothing is ever changed
+in it; a line that is cut, or that something else has written, is passed over.
+"""
+
+import json
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from mocapmend.batch.results import Finished, Row, Seen
+from mocapmend.errors import MocapmendError
+
+NAME = "mocapmend-batch.jsonl"
+KEY = "mocapmend_batch"
+FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What the ledger knows of a file that was done.
+
+    Attributes
+    ----------
+    key : str
+        Of the plan and the program, see `Task`.
+    row : Row
+        What was said of it.
+    input, output : Seen
+        The file and its repaired copy.
+    """
+
+    key: str
+    row: Row
+    input: Seen
+    output: Seen
+
+
+class Ledger:
+    """The ledger of an output folder.
+
+    Parameters
+    ----------
+    folder : Path
+        The output folder; it exists.
+
+    Attributes
+    ----------
+    entries : dict of str to Entry or None
+        By file; None where it was begun and not done.
+
+    Raises
+    ------
+    MocapmendError
+        If it cannot be read or written.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / NAME
+        try:
+            self._stream = self._path.open("a+b")
+            self._stream.seek(0)
+            raw = self._stream.read()
+        except OSError as error:
+            raise self._cannot(error) from error
+        self.entries: dict[str, Entry | None] = dict(_decode(raw))
+        if raw and not raw.endswith(b"\n"):
+            self._append(b"")
+
+    def begin(self, file: str) -> None:
+        """Note that a file's copy is going to be written."""
+        self._write({KEY: FORMAT, "begun": file})
+
+    def done(self, finished: Finished, key: str) -> None:
+        """Note that a file is done."""
+        seen = {"input": finished.input, "output": finished.output}
+        self._write(
+            {
+                KEY: FORMAT,
+                "done": finished.row.file,
+                "key": key,
+                **{name: None if item is None else asdict(item) for name, item in seen.items()},
+                "row": finished.row.as_json(),
+            }
+        )
+
+    def close(self) -> None:
+        """Give the file back."""
+        self._stream.close()
+
+    def _write(self, data: Mapping[str, Any]) -> None:
+        self._append(json.dumps(data).encode("ascii"))
+
+    def _append(self, line: bytes) -> None:
+        try:
+            self._stream.write(line + b"\n")
+            self._stream.flush()
+            os.fsync(self._stream.fileno())
+        except OSError as error:
+            raise self._cannot(error) from error
+
+    def _cannot(self, error: OSError) -> MocapmendError:
+        return MocapmendError(
+            f"The output folder cannot be written: {error.strerror}.",
+            str(self._path.parent),
+            "Choose another one.",
+        )
+
+
+def _decode(raw: bytes) -> Iterator[tuple[str, Entry | None]]:
+    """Yield file and entry of each line that is one."""
+    for line in raw.splitlines():
+        try:
+            data = json.loads(line)
+            if data[KEY] != FORMAT:
+                continue
+            if "begun" in data:
+                yield str(data["begun"]), None
+                continue
+            row, given, made = data["row"], data["input"], data["output"]
+            entry = Entry(str(data["key"]), Row.from_json(row), Seen(**given), Seen(**made))
+            yield str(data["done"]), entry
+        except (ValueError, KeyError, TypeError, RecursionError):
+            continue

@@ -1,0 +1,181 @@
+"""What a batch says about each of its files: plain data that travels between processes."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal
+
+from mocapmend.errors import MocapmendError
+
+State = Literal["repaired", "unchanged", "failed", "waiting"]
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why gaps of a file stayed open: those whose reasons differ in their numbers alone.
+
+    Attributes
+    ----------
+    gaps, samples : int
+        How many gaps, and how many samples are missing in them.
+    example : str
+        The reason of the longest of them.
+    """
+
+    gaps: int
+    samples: int
+    example: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Figures:
+    """What was found in a file and what was done to it.
+
+    Attributes
+    ----------
+    frames, markers : int
+        Size of the recording.
+    rate_hz : float
+        Frames per second.
+    gaps, filled, left_open : int
+        Gaps that were open, those of them that were filled, and the others.
+    samples_missing, samples_filled : int
+        Samples that were missing, and those of them that were filled.
+    reasons : tuple of Reason
+        Why gaps stayed open, the most frequent reason first.
+    expected_median_mm, expected_worst_mm : float or None
+        Of the expected errors of the filled gaps; None where none is known.
+    worst_place : str
+        Marker and frames of the worst one.
+    no_estimate : int
+        Filled gaps whose error could not be estimated.
+    tracked_before, tracked_after : float or None
+        Tracking success in %: the share of the markers that are there, mean over the frames;
+        None where no marker is ever seen.
+    warnings : tuple of str
+        What was odd about the file.
+    """
+
+    frames: int
+    markers: int
+    rate_hz: float
+    gaps: int
+    filled: int
+    left_open: int
+    samples_missing: int
+    samples_filled: int
+    reasons: tuple[Reason, ...] = ()
+    expected_median_mm: float | None = None
+    expected_worst_mm: float | None = None
+    worst_place: str = ""
+    no_estimate: int = 0
+    tracked_before: float | None = None
+    tracked_after: float | None = None
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def samples_left(self) -> int:
+        """Samples that are missing still."""
+        return self.samples_missing - self.samples_filled
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Why a file could not be repaired, as `MocapmendError` has it."""
+
+    what: str
+    where: str = ""
+    todo: str = ""
+
+    @classmethod
+    def of(cls, error: MocapmendError) -> "Problem":
+        """Keep what an error says."""
+        return cls(error.what, error.where, error.todo)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One file of a batch.
+
+    Attributes
+    ----------
+    file : str
+        Its path within the folder, with "/" between folders.
+    state : str
+        "repaired" now, "unchanged" since an earlier run that has repaired it, "failed", or
+        "waiting" where the batch was stopped before.
+    figures : Figures or None
+        None where it is not repaired.
+    problem : Problem or None
+        Why it failed.
+    output, report : str or None
+        The repaired copy and its report, within the output folder.
+    seconds : float
+        How long it took.
+    """
+
+    file: str
+    state: State
+    figures: Figures | None = None
+    problem: Problem | None = None
+    output: str | None = None
+    report: str | None = None
+    seconds: float = 0.0
+
+    def as_json(self) -> dict[str, Any]:
+        """Return plain data; `from_json` reads it."""
+        return asdict(self)
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> "Row":
+        """Read what `as_json` has returned.
+
+        Raises
+        ------
+        KeyError, TypeError
+            If it is something else.
+        """
+        figures = data["figures"]
+        reasons = tuple(Reason(**reason) for reason in figures["reasons"])
+        warnings = tuple(figures["warnings"])
+        known = Figures(**{**figures, "reasons": reasons, "warnings": warnings})
+        return cls(**{**data, "figures": known})
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A file as it was at some moment.
+
+    Attributes
+    ----------
+    size, mtime_ns : int
+        Size in bytes and time of change.
+    sha256 : str
+        Of its bytes.
+    record_sha256 : str
+        Of the repair record beside it; "" without one.
+    """
+
+    size: int
+    mtime_ns: int
+    sha256: str
+    record_sha256: str = ""
+
+
+@dataclass(frozen=True)
+class Finished:
+    """What a worker says at the end of a file.
+
+    Attributes
+    ----------
+    row : Row
+        For the user.
+    input, output : Seen or None
+        The file and its repaired copy; None where it failed.
+    trace : str
+        Where an unexpected error came from, for the log.
+    """
+
+    row: Row
+    input: Seen | None = None
+    output: Seen | None = None
+    trace: str = field(default="", repr=False)

@@ -1,0 +1,253 @@
+"""The page about a batch: what needs attention first, and the figures of every file."""
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import nan
+from pathlib import Path
+from urllib.parse import quote
+
+import numpy as np
+
+from mocapmend import __version__
+from mocapmend.batch.results import Reason, Row
+from mocapmend.batch.totals import Totals
+from mocapmend.report import charts
+from mocapmend.report.content import Bullets, Content, Figures, Pairs, Part, Section, Text
+from mocapmend.report.tables import MOST_ROWS, Column, Table, number, percent
+from mocapmend.wording import count
+
+STATES = {
+    "repaired": "repaired",
+    "unchanged": "repaired by an earlier run",
+    "failed": "failed",
+    "waiting": "not done yet",
+}
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What the page says of the batch as a whole.
+
+    Attributes
+    ----------
+    folder, out : Path
+        Where the recordings are and where their copies go.
+    plan : Path
+        The plan's file.
+    method, limits : str
+        What it says, for people.
+    seconds : float
+        How long this run took.
+    workers : str
+        Who did the work.
+    interrupted : bool
+        Whether the run was stopped before its end.
+    """
+
+    folder: Path
+    out: Path
+    plan: Path
+    method: str
+    limits: str
+    seconds: float
+    workers: str
+    interrupted: bool = False
+
+
+def contents(rows: Sequence[Row], facts: Facts) -> Content:
+    """Lay down what the page says of files in the order given."""
+    sections = (
+        Section("attention", "What could not be repaired", tuple(_failed(rows))),
+        Section("open", "Why gaps stayed open", tuple(_reasons(rows))),
+        Section("success", "Tracking success", tuple(_success(rows))),
+        Section("files", "Files", tuple(_files(rows))),
+        Section("warnings", "Warnings about the files", tuple(_warnings(rows))),
+    )
+    return Content(
+        f"Batch of {facts.folder.name or facts.folder}",
+        f"Summary of a batch, mocapmend {__version__}",
+        (Pairs(tuple(_head(rows, facts))),),
+        tuple(section for section in sections if section.parts),
+    )
+
+
+def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
+    totals = Totals.of(rows)
+    yield "Recordings", str(facts.folder)
+    yield "Repaired copies", str(facts.out)
+    yield "Plan", f"{facts.plan.name}: {facts.method}; limits: {facts.limits}"
+    states = (
+        (totals.repaired, "repaired now"),
+        (totals.unchanged, "repaired by an earlier run"),
+        (totals.failed, "failed"),
+        (totals.waiting, "not done yet: the same command goes on with them"),
+    )
+    listed = ", ".join(f"{n} {text}" for n, text in states if n)
+    yield "Files", f"{totals.files}: {listed}"
+    yield "Frames", str(totals.frames)
+    yield "Gaps", f"{totals.gaps}: {totals.filled} filled, {totals.left_open} left open"
+    yield (
+        "Missing samples",
+        f"{totals.samples_missing} before, {totals.samples_missing - totals.samples_filled} after",
+    )
+    before, after = totals.tracked_before, totals.tracked_after
+    yield "Markers tracked", f"{_share(before)} % before, {_share(after)} % after"
+    yield "Time", f"{facts.seconds:.1f} s with {facts.workers}; one by one {totals.seconds:.1f} s"
+
+
+def _failed(rows: Sequence[Row]) -> Iterator[Part]:
+    failed = [(row.file, row.problem) for row in rows if row.problem is not None]
+    if failed:
+        yield Table(
+            (Column("File", "name"), Column("Why", "text"), Column("What to do", "text")),
+            tuple((file, problem.what, problem.todo) for file, problem in failed[:MOST_ROWS]),
+            _cut(len(failed)),
+        )
+
+
+def _reasons(rows: Sequence[Row]) -> Iterator[Part]:
+    listed = [(row.file, reason) for row in rows if row.figures for reason in row.figures.reasons]
+    if not listed:
+        return
+    yield Text("Reasons that differ in their numbers alone are one line of a file.", dim=True)
+    yield Table(
+        (Column("File", "name"), Column("Gaps"), Column("Samples"), Column("Why", "text")),
+        tuple((file, *_reason(reason)) for file, reason in listed[:MOST_ROWS]),
+        _cut(len(listed)),
+    )
+
+
+def _reason(reason: Reason) -> tuple[str, str, str]:
+    such = "such as: " if reason.gaps > 1 else ""
+    return str(reason.gaps), str(reason.samples), such + reason.example
+
+
+def _success(rows: Sequence[Row]) -> Iterator[Part]:
+    known = [
+        (row.figures.tracked_before, row.figures.tracked_after)
+        for row in rows
+        if row.figures and row.figures.tracked_before is not None
+    ]
+    if len(known) < 2:
+        return
+    before, after = np.sort(np.array(known, dtype=np.float64), axis=0).T
+    yield Text(
+        "Share of the markers that are there, mean over a file's frames: as many of the files as "
+        "the axis below says have no more than the curve.",
+        dim=True,
+    )
+    chart = charts.draw(
+        "Tracking success of the files",
+        "markers (%)",
+        (len(known) - 1) / 100,
+        before,
+        after,
+        top=100.0,
+        x_label="share of the files (%)",
+    )
+    yield Figures((chart,))
+
+
+def _files(rows: Sequence[Row]) -> Iterator[Part]:
+    shown = rows[:MOST_ROWS]
+    yield Text(
+        "Those that need attention come first: what failed, then what misses most samples, then "
+        "what has the largest expected errors. A dash: not known.",
+        dim=True,
+    )
+    yield Table(
+        (
+            Column("File", "name"),
+            Column("Result", "text"),
+            Column("Frames"),
+            Column("Markers"),
+            Column("Gaps"),
+            Column("Filled"),
+            Column("Left open"),
+            Column("Samples missing before"),
+            Column("after"),
+            Column("Expected error, median (mm)"),
+            Column("largest (mm)"),
+            Column("Filled without estimate"),
+            Column("Markers tracked before (%)"),
+            Column("after (%)"),
+            Column("Seconds"),
+            Column("Report", "text"),
+        ),
+        tuple(map(_row, shown)),
+        _cut(len(rows)),
+        tuple(map(_links, shown)),
+    )
+
+
+def _row(row: Row) -> tuple[str, ...]:
+    figures, report = row.figures, "report" if row.report else "—"
+    if figures is None:
+        seconds = number(row.seconds if row.state == "failed" else nan, 1)
+        return (row.file, STATES[row.state], *["—"] * 12, seconds, report)
+    return (
+        row.file,
+        STATES[row.state],
+        *map(
+            str,
+            (
+                figures.frames,
+                figures.markers,
+                figures.gaps,
+                figures.filled,
+                figures.left_open,
+                figures.samples_missing,
+                figures.samples_left,
+            ),
+        ),
+        _millimetres(figures.expected_median_mm),
+        _millimetres(figures.expected_worst_mm),
+        str(figures.no_estimate),
+        _share(figures.tracked_before),
+        _share(figures.tracked_after),
+        number(row.seconds, 1),
+        report,
+    )
+
+
+def _links(row: Row) -> tuple[str, ...]:
+    return _href(row.output), *[""] * 14, _href(row.report)
+
+
+def _href(path: str | None) -> str:
+    # A name may hold a colon, which would make a scheme of what is before it.
+    return f"./{quote(os.fsencode(path))}" if path else ""
+
+
+def _warnings(rows: Sequence[Row]) -> Iterator[Part]:
+    files: dict[str, list[str]] = {}
+    for row in rows:
+        for warning in row.figures.warnings if row.figures else ():
+            files.setdefault(warning, []).append(row.file)
+    if files:
+        yield Bullets(
+            tuple(
+                f"{names[0]}{_others(len(names) - 1)}: {text}"
+                for text, names in list(files.items())[:MOST_ROWS]
+            ),
+            warning=True,
+        )
+
+
+def _others(more: int) -> str:
+    return f" and {count(more, 'other file')}" if more else ""
+
+
+def _cut(rows: int) -> str:
+    if rows <= MOST_ROWS:
+        return ""
+    return f"Of {rows} rows, the first {MOST_ROWS} are shown. summary.csv has all files."
+
+
+def _share(value: float | None) -> str:
+    return percent(nan if value is None else value)
+
+
+def _millimetres(value: float | None) -> str:
+    return number(nan if value is None else value)
