@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
+from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
@@ -19,8 +20,9 @@ from mocapmend.files import (
 )
 from mocapmend.files.records import RecordedRun
 from mocapmend.layers import Layers, Mask
-from mocapmend.written import differing_runs, places_of
+from mocapmend.written import Places, differing_runs, places_of
 from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.corrections import merged_runs
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.smooth.contract import SmoothResult
 
@@ -57,8 +59,10 @@ class Repaired:
     ----------
     layers : Layers
         What was exchanged and set aside.
-    points : ndarray, shape (frames, markers, 3)
-        All samples as they are in the end.
+    places : Places
+        Where samples may differ from those of the file.
+    values : ndarray, shape (samples, 3)
+        What is there in the end, NaN where missing.
     fills : mapping of Gap to RepairRecord
         The gaps that are filled, by earlier repairs too.
     kept_open : mapping of Gap to KeptGap
@@ -68,17 +72,24 @@ class Repaired:
     """
 
     layers: Layers
-    points: NDArray[np.float64]
+    places: Places
+    values: NDArray[np.float64]
     fills: Mapping[Gap, RepairRecord]
     kept_open: Mapping[Gap, KeptGap]
     smoothed: Mapping[Gap, SmoothedRun] = field(default_factory=dict)
 
+    @cached_property
+    def recording(self) -> Recording:
+        """All samples as they are in the end."""
+        source = self.layers.source
+        points = source.recording.points.copy()
+        points[self.places] = self.values
+        return source.recording.with_points(points)
+
     def changes(self) -> Changes:
         """Return what differs from the file."""
         source = self.layers.source
-        touched = [*self.layers.touched(), *self.fills, *self.smoothed, *source.smoothed]
-        places = places_of(touched)
-        runs = differing_runs(self.points[places], source.recording.points, places)
+        runs = differing_runs(self.values, source.recording.points, self.places)
         earlier = NO_CORRECTIONS if source.provenance is None else source.provenance.corrections
         others = Corrections(smoothed=_ordered(self.smoothed), renamed=earlier.renamed)
         return Changes(
@@ -88,19 +99,27 @@ class Repaired:
             self.layers.corrections(others),
         )
 
+    @cached_property
+    def _replaced(self) -> dict[int, list[Gap]]:
+        """What is filled, set aside or smoothed, by marker."""
+        found: dict[int, list[Gap]] = {}
+        for run in (*self.fills, *self.layers.set_aside, *self.smoothed):
+            found.setdefault(run.marker, []).append(run)
+        return found
+
     def _untouched(self, run: Gap) -> Mask:
         """Say which samples of a run are to be as they were stored."""
         mask = np.ones(run.length, np.bool_)
-        for others in (self.fills, self.smoothed, self.layers.set_aside):
-            for other in others:
-                if other.marker == run.marker:
-                    mask[max(0, other.start - run.start) : max(0, other.stop - run.start)] = False
+        for other in self._replaced.get(run.marker, ()):
+            mask[max(0, other.start - run.start) : max(0, other.stop - run.start)] = False
         return mask
 
 
-def _ordered(entries: Mapping[Gap, Entry]) -> tuple[Entry, ...]:
-    """Return entries by point and frame, which is not always the order of markers."""
-    return tuple(sorted(entries.values(), key=lambda entry: entry.place))
+def bare(layers: Layers) -> Repaired:
+    """Return a recording without any repair but its corrections, and its open gaps as they were."""
+    places, smoothed_before = places_of(merged_runs(layers.touched())), layers.source.smoothed
+    values = layers.recording.points[places]
+    return Repaired(layers, places, values, {}, layers.kept_open, smoothed_before)
 
 
 def filled(layers: Layers, result: FillResult, method_id: str, params: Any) -> Repaired:
@@ -117,39 +136,52 @@ def filled(layers: Layers, result: FillResult, method_id: str, params: Any) -> R
     params : object
         The method's parameters.
     """
-    source = layers.source
+    source, stored = layers.source, layers.source.recording.points
+    values = {gap: stored[gap.start : gap.stop, gap.marker] for gap in layers.earlier}
     fills = dict(layers.earlier)
-    points = layers.recording.points.copy()
-    for gap in fills:
-        points[gap.start : gap.stop, gap.marker] = source.recording.points[
-            gap.start : gap.stop, gap.marker
-        ]
     for patch in result.patches:
         gap = patch.gap
-        points[gap.start : gap.stop, gap.marker] = patch.values
+        values[gap] = patch.values
         fills[gap] = record(source, patch, method_id, params, result.donors(gap))
     new = {patch.gap for patch in result.patches}
     kept = {gap: entry for gap, entry in layers.kept_open.items() if gap not in new}
-    return Repaired(layers, points, fills, kept, source.smoothed)
+    return Repaired(layers, *_with(bare(layers), values), fills, kept, source.smoothed)
 
 
 def smoothed(before: Repaired, result: SmoothResult) -> Repaired:
     """Return a recording with runs smoothed."""
-    points = before.points.copy()
-    runs = dict(before.smoothed)
-    source = before.layers.source
+    runs, source = dict(before.smoothed), before.layers.source
     for done in result.runs:
-        run = done.run
-        points[run.start : run.stop, run.marker] = done.values
         parameters = {**result.params, **done.chosen}
         change = done.rms * source.recording.mm
-        runs[run] = SmoothedRun(*source.place(run), result.method, parameters, change)
-    return Repaired(before.layers, points, before.fills, before.kept_open, runs)
+        runs[done.run] = SmoothedRun(*source.place(done.run), result.method, parameters, change)
+    made = _with(before, {done.run: done.values for done in result.runs})
+    return Repaired(before.layers, *made, before.fills, before.kept_open, runs)
+
+
+def _with(
+    before: Repaired, values: Mapping[Gap, NDArray[np.float64]]
+) -> tuple[Places, NDArray[np.float64]]:
+    """Return places and values of a recording after more was written."""
+    frames, markers = places_of(values)
+    places = np.concatenate((before.places[0], frames)), np.concatenate((before.places[1], markers))
+    points = before.layers.source.recording.points
+    written = np.concatenate((before.values, *values.values())).reshape(-1, 3)
+    # What was written last counts, wherever a place is there twice.
+    order = np.lexsort((np.arange(len(written)), places[0], places[1]))
+    same = np.diff(places[1][order] * (len(points) + 1) + places[0][order]) == 0
+    last = order[np.append(~same, True)] if len(order) else order
+    return (places[0][last], places[1][last]), written[last]
 
 
 def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
     """Return what a fill changes in a file; its earlier repairs and open gaps stay."""
     return filled(Layers.of(source), result, method_id, params).changes()
+
+
+def _ordered(entries: Mapping[Gap, Entry]) -> tuple[Entry, ...]:
+    """Return entries by point and frame, which is not always the order of markers."""
+    return tuple(sorted(entries.values(), key=lambda entry: entry.place))
 
 
 def record(

@@ -37,6 +37,9 @@ class Change(NamedTuple):
         return kept | dict(self.come)
 
 
+NO_CHANGE = Change({}, {})
+
+
 def exchanged(doubts: Doubts, exchange: Exchange) -> Change:
     """Return how doubts change where two markers are exchanged: they go with their samples."""
     others = {exchange.first: exchange.second, exchange.second: exchange.first}
