@@ -1,9 +1,9 @@
 """What the repairs of a recording change in its file, and what its repair record says. No Qt."""
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from collections.abc import Collection, Mapping
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any, TypedDict, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,6 +115,15 @@ class Repaired:
         return mask
 
 
+def earlier(layers: Layers, without: Collection[Gap] = ()) -> Repaired:
+    """Return a recording with those repairs that its file has, but for some that are taken back."""
+    points = layers.source.recording.points
+    fills = {gap: entry for gap, entry in layers.earlier.items() if gap not in without}
+    values = {gap: points[gap.start : gap.stop, gap.marker] for gap in fills}
+    before = bare(layers)
+    return replace(before, **_with(before, values), fills=fills)
+
+
 def bare(layers: Layers) -> Repaired:
     """Return a recording without any repair but its corrections, and its open gaps as they were."""
     places, smoothed_before = places_of(merged_runs(layers.touched())), layers.source.smoothed
@@ -122,13 +131,13 @@ def bare(layers: Layers) -> Repaired:
     return Repaired(layers, places, values, {}, layers.kept_open, smoothed_before)
 
 
-def filled(layers: Layers, result: FillResult, method_id: str, params: Any) -> Repaired:
-    """Return a recording with gaps filled; earlier repairs, and gaps kept open, stay.
+def filled(before: Repaired, result: FillResult, method_id: str, params: Any) -> Repaired:
+    """Return a recording with more gaps filled.
 
     Parameters
     ----------
-    layers : Layers
-        That the fill was computed from.
+    before : Repaired
+        The recording; the fill was computed from its layers.
     result : FillResult
         The fill.
     method_id : str
@@ -136,16 +145,15 @@ def filled(layers: Layers, result: FillResult, method_id: str, params: Any) -> R
     params : object
         The method's parameters.
     """
-    source, stored = layers.source, layers.source.recording.points
-    values = {gap: stored[gap.start : gap.stop, gap.marker] for gap in layers.earlier}
-    fills = dict(layers.earlier)
-    for patch in result.patches:
-        gap = patch.gap
-        values[gap] = patch.values
-        fills[gap] = record(source, patch, method_id, params, result.donors(gap))
-    new = {patch.gap for patch in result.patches}
-    kept = {gap: entry for gap, entry in layers.kept_open.items() if gap not in new}
-    return Repaired(layers, *_with(bare(layers), values), fills, kept, source.smoothed)
+    source = before.layers.source
+    values = {patch.gap: patch.values for patch in result.patches}
+    new = {
+        gap: record(source, patch, method_id, params, result.donors(gap))
+        for gap, patch in zip(values, result.patches, strict=True)
+    }
+    kept = {gap: entry for gap, entry in before.kept_open.items() if gap not in new}
+    fills = {**before.fills, **new}
+    return replace(before, **_with(before, values), fills=fills, kept_open=kept)
 
 
 def smoothed(before: Repaired, result: SmoothResult) -> Repaired:
@@ -156,12 +164,15 @@ def smoothed(before: Repaired, result: SmoothResult) -> Repaired:
         change = done.rms * source.recording.mm
         runs[done.run] = SmoothedRun(*source.place(done.run), result.method, parameters, change)
     made = _with(before, {done.run: done.values for done in result.runs})
-    return Repaired(before.layers, *made, before.fills, before.kept_open, runs)
+    return replace(before, **made, smoothed=runs)
 
 
-def _with(
-    before: Repaired, values: Mapping[Gap, NDArray[np.float64]]
-) -> tuple[Places, NDArray[np.float64]]:
+class _Written(TypedDict):
+    places: Places
+    values: NDArray[np.float64]
+
+
+def _with(before: Repaired, values: Mapping[Gap, NDArray[np.float64]]) -> _Written:
     """Return places and values of a recording after more was written."""
     frames, markers = places_of(values)
     places = np.concatenate((before.places[0], frames)), np.concatenate((before.places[1], markers))
@@ -171,12 +182,12 @@ def _with(
     order = np.lexsort((np.arange(len(written)), places[0], places[1]))
     same = np.diff(places[1][order] * (len(points) + 1) + places[0][order]) == 0
     last = order[np.append(~same, True)] if len(order) else order
-    return (places[0][last], places[1][last]), written[last]
+    return {"places": (places[0][last], places[1][last]), "values": written[last]}
 
 
 def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
     """Return what a fill changes in a file; its earlier repairs and open gaps stay."""
-    return filled(Layers.of(source), result, method_id, params).changes()
+    return filled(earlier(Layers.of(source)), result, method_id, params).changes()
 
 
 def _ordered(entries: Mapping[Gap, Entry]) -> tuple[Entry, ...]:

@@ -183,6 +183,19 @@ class Document(QObject):
         repair = self._earlier.get(gap)
         return repair is not None and self.repairs.get(gap) is repair
 
+    @property
+    def stale(self) -> list[Gap]:
+        """The gaps that were filled before what is believed changed, by marker and start.
+
+        Repairs that the file had when it was opened stay as they are.
+        """
+        base = self.base_revision
+        return sorted(
+            gap
+            for gap, repair in self.repairs.items()
+            if repair.base != base and not self.is_earlier(gap)
+        )
+
     def leave_open(self, reasons: Mapping[Gap, str]) -> None:
         """Note that a fill left gaps open, and why."""
         self.left_open |= reasons

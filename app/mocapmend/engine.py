@@ -186,6 +186,31 @@ def fill_anyway(
         return fill_hiding(recording, gaps, function, found, progress)
 
 
+class FillJob(NamedTuple):
+    """Gaps that one method fills with the same parameters."""
+
+    method: str
+    params: Any
+    gaps: tuple[Gap, ...]
+
+
+def fill_each(
+    recording: Recording, jobs: Sequence[FillJob], progress: Progress
+) -> list[FillResult]:
+    """Fill gaps by several methods as `fill_anyway` does, and return a result for each job.
+
+    Raises
+    ------
+    MocapmendError
+        If a training set that the parameters name cannot be used.
+    """
+    results = []
+    for number, job in enumerate(jobs):
+        share = part(progress, number / len(jobs), (number + 1) / len(jobs))
+        results.append(fill_anyway(recording, job.gaps, job.method, job.params, share))
+    return results
+
+
 def fill_gap(
     recording: Recording, gap: Gap, method_id: str, params: Any, progress: Progress
 ) -> FillResult:

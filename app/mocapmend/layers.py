@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from mocapmend.doubts import Doubt, doubted, exchanged
+from mocapmend.doubts import Doubt, Doubts, believed, doubted, exchanged
 from mocapmend.files import (
     Corrections,
     KeptGap,
@@ -64,6 +64,23 @@ class Layers:
         aside = {run: Doubt(one.problem, one.reason) for run, one in source.set_aside.items()}
         return cls(source, _origins_of(source), aside)
 
+    @classmethod
+    def with_moves(
+        cls, source: Source, given: Iterable[Move], set_aside: Mapping[Gap, Doubt]
+    ) -> "Layers":
+        """Return corrections of a file, told by where samples are in the end.
+
+        Raises
+        ------
+        ValueError
+            If a sample would be in two places, or in none.
+        """
+        known, origins = list(given), None
+        if known:
+            origins = stored_places(source.recording.present.shape)
+            moved(origins, known)
+        return cls(source, origins, dict(set_aside))
+
     def corrected(self, exchanges: Iterable[Exchange], set_aside: Mapping[Gap, Doubt]) -> "Layers":
         """Return the same with samples exchanged and then more of them set aside.
 
@@ -92,6 +109,13 @@ class Layers:
             known |= doubted(known, run, doubt, after.measured(run)).come
         aside = {run: doubt for known in of_marker.values() for run, doubt in known.items()}
         return replace(after, set_aside=aside)
+
+    def believing(self, some: Iterable[Gap]) -> "Layers":
+        """Return the same with no sample of some runs set aside."""
+        aside: Doubts = self.set_aside
+        for run in some:
+            aside = believed(aside, run).applied(aside)
+        return replace(self, set_aside=aside)
 
     def measured(self, run: Gap) -> Mask:
         """Say which samples of a run were measured, doubtful ones included."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mocapmend import engine
 from mocapmend.changes import Changes, Repaired
 from mocapmend.engine import Apart, Exported
-from mocapmend.files import KeptGap, RepairRecord, Source
+from mocapmend.files import NO_CORRECTIONS, KeptGap, RepairRecord, Source
 from mocapmend.layers import Layers
 from mocapmend.written import Places
 from mocapmend_algorithms import Gap, Progress
@@ -116,5 +116,10 @@ def write_recipe(unsaved: Unsaved, path: Path, progress: Progress) -> None:
     from mocapmend import recipe
 
     recipe.write_recipe(
-        unsaved.source, unsaved.records(), path, progress, kept_open=unsaved.kept_open()
+        unsaved.source,
+        unsaved.records(),
+        path,
+        progress,
+        kept_open=unsaved.kept_open(),
+        corrections=unsaved.layers.corrections(NO_CORRECTIONS),
     )

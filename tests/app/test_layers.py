@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from mocapmend import engine
-from mocapmend.changes import Repaired, bare, filled, smoothed
+from mocapmend.changes import Repaired, bare, earlier, filled, smoothed
 from mocapmend.doubts import Doubt, Doubts
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, check_files, read_recording
@@ -54,7 +54,7 @@ def fill_all(layers: Layers) -> Repaired:
     """Fill what straight lines can."""
     gaps = [gap for gap in layers.open_gaps() if gap not in layers.kept_open]
     result = engine.fill_anyway(layers.recording, gaps, "linear", LINEAR, no_progress)
-    return filled(layers, result, "linear", LINEAR)
+    return filled(earlier(layers), result, "linear", LINEAR)
 
 
 def export(source: Source, made: Repaired, out: Path) -> engine.Exported:
