@@ -17,11 +17,10 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.blocks import SIDE, Fits, block_offsets, fit_blocks, usual_away
 from mocapmend_algorithms.problems.levels import running_level
-from mocapmend_algorithms.problems.mates import common_offset, nearest_mates
+from mocapmend_algorithms.problems.mates import common_offset, mates_of
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import Skeleton, measure_distances
-from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
+from mocapmend_algorithms.skeleton import Skeleton
 
 FLOOR_MM = 0.3
 """What no system measures better: in simulated motion the noise is 0."""
@@ -167,10 +166,10 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
             good &= _sharp(step, first, length, fits)
         good[good] = fits.away[good] >= UNUSUAL * usual_away(points, first[good], length)
-        for at in np.flatnonzero(good).tolist():
-            candidates.append(
-                _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
-            )
+        candidates += [
+            _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
+            for at in np.flatnonzero(good)
+        ]
     return _apart(candidates)
 
 
@@ -188,8 +187,8 @@ def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolAr
     # Beside a gap it cannot be told.
     into = np.where(np.isnan(into), fits.first, into)
     back = np.where(np.isnan(back), fits.last, back)
-    sharp = (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
-    sharp &= np.maximum(into, back) >= SHARP * fits.away
+    both = np.minimum(into - SHARP * fits.first, back - SHARP * fits.last) >= 0.0
+    sharp: BoolArray = both & (np.maximum(into, back) >= SHARP * fits.away)
     return sharp
 
 
@@ -234,9 +233,9 @@ def _without_shocks(
     progress: Progress,
 ) -> list[list[_Found]]:
     """Leave out what the neighbours do at the same time."""
-    if not any(found) or recording.markers > MOST_MARKERS:
+    if not any(found):
         return list(found)
-    mates = nearest_mates(measure_distances(recording, part(progress, 0.0, 0.9)), len(found))
+    mates = mates_of(recording, progress)
     return [
         [spike for spike in each if _stands_out(recording, mates[marker], marker, spike, params)]
         for marker, each in enumerate(found)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.crossings import Crossing, find_crossings, find_jumps
@@ -112,10 +112,10 @@ def _likeliest(runs: Sequence[BadRun]) -> list[BadRun]:
 
 def _neighbours_with_gaps(recording: Recording, likeness: Likeness) -> Iterable[tuple[int, int]]:
     """List pairs of neighbours of which a gap may hide that they change places."""
-    gaps = ~recording.present.all(axis=0)
+    complete = set(np.flatnonzero(recording.present.all(axis=0)).tolist())
     for marker, mates in enumerate(likeness.mates):
         for mate in mates:
-            if gaps[marker] or gaps[mate]:
+            if not {marker, mate} <= complete:
                 yield min(marker, mate), max(marker, mate)
 
 
@@ -151,7 +151,7 @@ def _pieces(
 ) -> list[_Piece]:
     """Cut time where the two may change places."""
     frames = recording.frames
-    present = recording.present[:, pair]
+    present = recording.present[:, list(pair)]
     costs: dict[int, tuple[float, float]] = {}
     for frame in np.flatnonzero(jumps[:, pair].any(axis=1)).tolist():
         costs[frame] = JUMP_CHANGE, 0.0
@@ -163,9 +163,7 @@ def _pieces(
     cuts = sorted(costs)
     stops = [*cuts, frames]
     first = _Piece(0, stops[0], 0.0, 0.0)
-    rest = [
-        _Piece(cut, stop, *costs[cut]) for cut, stop in zip(cuts, stops[1:], strict=True)
-    ]
+    rest = [_Piece(cut, stop, *costs[cut]) for cut, stop in zip(cuts, stops[1:], strict=True)]
     return [first, *rest]
 
 
@@ -182,8 +180,8 @@ def _costs(
     frames: IntArray = starts[:, None] + (lengths[:, None] * share).astype(np.int64)
     like = likeness.swapped(*pair, frames.ravel()).reshape(frames.shape)
     like = np.clip(np.median(like, axis=1), -MOST_LIKE, MOST_LIKE)
-    seen = recording.present[:, pair].any(axis=1)
-    any_seen = np.array([seen[piece.start : piece.stop].any() for piece in pieces])
+    seen = running_count(recording.present[:, list(pair)].sum(axis=1))
+    any_seen = seen[starts + lengths] > seen[starts]
     weight = 1.0 + np.log10(lengths)
     rare = SWAPPED * lengths / recording.frames
     costs: FloatArray = np.where(any_seen, -like * weight + rare, 0.0)
