@@ -90,7 +90,7 @@ def fragments(
     if not 0 < len(pieces) <= MOST_UNNAMED * recording.markers <= MOST_UNNAMED * MOST_MARKERS:
         return []
     distances = measure_distances(recording, part(progress, 0.0, 0.3))
-    mates = {marker: rigid_mates(distances, skeleton, marker) for marker in named}
+    mates = {marker: rigid_mates(recording, distances, skeleton, marker) for marker in named}
     mates = {marker: _named_only(each, pieces) for marker, each in mates.items()}
     found = []
     for count, piece in enumerate(pieces):

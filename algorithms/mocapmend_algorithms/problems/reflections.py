@@ -145,7 +145,7 @@ def _misfit(
     stop: int,
 ) -> float:
     """Return by how much the distances of a marker to its neighbours differ from usual, in mm."""
-    mates = rigid_mates(distances, skeleton, marker)
+    mates = rigid_mates(recording, distances, skeleton, marker)
     kept = [at for at, mate in enumerate(mates.markers) if mate not in pair]
     around = recording.points[start:stop][:, [mates.markers[at] for at in kept]]
     apart = (around - recording.points[start:stop, [marker]]) * recording.mm

@@ -11,6 +11,15 @@ from mocapmend_algorithms.skeleton import PairDistances, Skeleton
 MOST = 5
 FURTHEST_MM = 600.0
 FLOOR_MM = 2.0
+CANDIDATES = 12
+"""The nearest markers, of which the most rigid are taken."""
+ENOUGH, TIGHT = 2, 0.06
+"""Of more than two, only those are taken whose looseness is no more than 6 % of the distance."""
+BONE = 0.5
+"""Of the looseness of other pairs, that of bones."""
+MOST_FRAMES = 400
+QUARTILES_IN_SD = 1.349
+"""The distance of the quartiles of a normal distribution, in standard deviations."""
 
 
 class RigidMates(NamedTuple):
@@ -29,13 +38,17 @@ class RigidMates(NamedTuple):
     spread: FloatArray
 
 
-def rigid_mates(distances: PairDistances, skeleton: Skeleton, marker: int) -> RigidMates:
+def rigid_mates(
+    recording: Recording, distances: PairDistances, skeleton: Skeleton, marker: int
+) -> RigidMates:
     """Return the markers that a marker keeps its distance to: those at its bones, and rigid ones.
 
     Parameters
     ----------
+    recording : Recording
+        What to look at.
     distances : PairDistances
-        Of all pairs.
+        Of all pairs: only near ones are measured more closely.
     skeleton : Skeleton
         Whose bones count as more rigid than other pairs.
     marker : int
@@ -46,15 +59,36 @@ def rigid_mates(distances: PairDistances, skeleton: Skeleton, marker: int) -> Ri
     RigidMates
         At most five, none further than 600 mm.
     """
-    length, spread = distances.length[marker], distances.spread[marker]
+    near = np.where(distances.length[marker] > 0, distances.length[marker], np.inf)
+    near[marker] = np.inf
+    near[near > FURTHEST_MM] = np.inf
+    joined = [bone[1 - bone.index(marker)] for bone in skeleton.bones if marker in bone]
+    others = dict.fromkeys((*joined, *np.argsort(near, kind="stable")[:CANDIDATES].tolist()))
+    kept = [other for other in others if np.isfinite(near[other])]
+    length, spread = _measured(recording, marker, kept)
     share = (spread + FLOOR_MM) / np.maximum(length, 1.0)
-    for bone in skeleton.bones:
-        if marker in bone and max(bone) < len(share):
-            share[bone[0] if bone[1] == marker else bone[1]] *= 0.5
-    share[np.isnan(share) | (length > FURTHEST_MM) | (length <= 0)] = np.inf
-    share[marker] = np.inf
-    order = [int(k) for k in np.argsort(share, kind="stable")[:MOST] if np.isfinite(share[k])]
-    return RigidMates(order, length[order], spread[order])
+    share[[other in joined for other in kept]] *= BONE
+    order = np.argsort(share, kind="stable")[:MOST]
+    order = order[np.isfinite(share[order])]
+    if len(order) > ENOUGH:
+        order = order[share[order] <= max(TIGHT, share[order[ENOUGH - 1]])]
+    return RigidMates([kept[at] for at in order], length[order], spread[order])
+
+
+def _measured(
+    recording: Recording, marker: int, others: list[int]
+) -> tuple[FloatArray, FloatArray]:
+    """Return median and robust deviation of distances, which a quarter of bad frames spares."""
+    step = max(1, recording.frames // MOST_FRAMES)
+    points = recording.points[::step] * recording.mm
+    apart = points[:, others] - points[:, [marker]]
+    length = np.sort(np.sqrt(np.einsum("tmk,tmk->tm", apart, apart)), axis=0)  # NaN last
+    last = np.maximum(np.count_nonzero(~np.isnan(length), axis=0) - 1, 0)
+    low, middle, high = (
+        length[np.round(share * last).astype(np.int64), np.arange(len(others))]
+        for share in (0.25, 0.5, 0.75)
+    )
+    return middle, (high - low) / QUARTILES_IN_SD
 
 
 def stretched(recording: Recording, marker: int, mates: RigidMates) -> FloatArray:

@@ -29,6 +29,8 @@ CROSSING_MISSED, HALF_MISSED = 12.0, 4.0
 """Cost of a crossing at which the labels do not change: both seen, and one of them missing."""
 UNSEEN_CHANGE, JUMP_CHANGE, BARE_CHANGE = 6.0, 3.0, 60.0
 """Cost of a change in a gap, at a jump of one marker, and anywhere else."""
+LEAST_SURE = 5.0
+"""How much more it must cost to call a swap right."""
 SWAPPED = 1.0
 """Cost of a swap, whatever its length; by its share of the recording up to twice as much."""
 
@@ -137,6 +139,8 @@ def _of_pair(
     edges = np.flatnonzero(np.diff(np.concatenate(([0], swapped.astype(np.int8), [0]))))
     for first, last in edges.reshape(-1, 2).tolist():
         sure = _certainty(pieces, costs, first, last)
+        if sure < LEAST_SURE:
+            continue
         run = _described(recording, pair, pieces[first:last], sure, distances)
         if run is not None and run.deviation * recording.mm >= params.least_mm:
             found.append(run)

@@ -6,6 +6,7 @@ further away from the gap.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.problems.bad_run import BadRun
-from mocapmend_algorithms.problems.mates import common_offset, mates_of
+from mocapmend_algorithms.problems.mates import mates_of
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
@@ -26,6 +27,10 @@ MORE = 3
 COMPARED = 10
 """Places further from the gap that tell how wrong a parabola is there."""
 FLOOR_MM = 0.5
+LEAST_SHARE, INNER = 0.1, 2.0
+"""What the inner samples are off: a share of the outermost one, and times the usual."""
+REPORTED = 32
+"""Ends between two reports of progress."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +45,7 @@ class TailsParams:
         unit="mm",
     )
     times_usual: float = option(
-        5.0,
+        4.0,
         label="Times the usual",
         text="By how much more an end bends than the samples further from the gap.",
         minimum=1.5,
@@ -69,7 +74,7 @@ def tails(
     params : TailsParams
         The thresholds.
     progress : Progress
-        Called once per marker.
+        Called often.
 
     Returns
     -------
@@ -79,29 +84,30 @@ def tails(
     """
     del skeleton
     longest = int(np.clip(round(LONGEST_S * recording.rate), LEAST_LONGEST, MOST_LONGEST))
-    mates: list[list[int]] | None = None
+    ends = _ends(recording, _window(longest))
+    if not ends:
+        return []
+    mates = mates_of(recording, part(progress, 0.0, 0.3))
     found = []
-    for marker in range(recording.markers):
-        done = marker / recording.markers
-        progress(done)
-        ends = _ends(recording, marker, 2 * longest + MORE + COMPARED)
-        for end, offsets, usual in _judged(recording, ends, longest):
-            count = _bent(offsets, usual, params)
-            if not count:
-                continue
-            if mates is None:
-                mates = mates_of(recording, part(progress, done, done))
-            offsets = _relative(recording, mates[marker], end, offsets, longest)  # noqa: PLW2901
-            count = _bent(offsets, usual, params)
-            if count:
-                found.append(_described(recording, end, offsets[longest - count :], count))
+    for at, end in enumerate(ends):
+        if at % REPORTED == 0:
+            progress(0.3 + 0.7 * at / len(ends))
+        away = _bent(_seen_from_mates(recording, mates[end.marker], end, longest), longest, params)
+        if away.size:
+            found.append(_described(recording, end, away))
     return found
 
 
-def _ends(recording: Recording, marker: int, least: int) -> list[_End]:
+def _window(longest: int) -> int:
+    """Return how many samples from the end are looked at."""
+    return 3 * longest + MORE + COMPARED
+
+
+def _ends(recording: Recording, least: int) -> list[_End]:
     """List the ends of the stretches that are long enough to judge."""
     return [
         end
+        for marker in np.flatnonzero(~recording.present.all(axis=0)).tolist()
         for start, stop in runs(recording.present[:, marker])
         if stop - start >= least
         for end in (_End(marker, start, 1), _End(marker, stop - 1, -1))
@@ -109,81 +115,69 @@ def _ends(recording: Recording, marker: int, least: int) -> list[_End]:
     ]
 
 
-def _judged(
-    recording: Recording, ends: list[_End], longest: int
-) -> list[tuple[_End, FloatArray, FloatArray]]:
-    """Return for each end the offsets of its samples, the outermost last, and what is usual."""
-    if not ends:
-        return []
-    edge = np.array([end.edge for end in ends])
-    direction = np.array([end.direction for end in ends])
-    # The outermost sample is the last one.
-    inward = np.arange(2 * longest + MORE + COMPARED - 1, -1, -1)
-    frames = edge[:, None] + direction[:, None] * inward
-    points = recording.points[frames, ends[0].marker] * recording.mm
-    offsets = _extrapolated(points, longest, 0)
-    shifted = np.stack([_away(_extrapolated(points, longest, k)) for k in range(2, COMPARED + 1)])
-    usual = np.sort(shifted, axis=0)[3 * len(shifted) // 4]
-    return list(zip(ends, offsets, usual, strict=True))
+def _seen_from_mates(recording: Recording, mates: list[int], end: _End, longest: int) -> FloatArray:
+    """Return the samples at an end in mm, the outermost last, shape (samples, 3).
+
+    Seen from the neighbours, where two or more are there all the time: the body moves with them.
+    """
+    inward = np.arange(_window(longest) - 1, -1, -1)
+    frames: IntArray = end.edge + end.direction * inward
+    points: FloatArray = recording.points[frames, end.marker] * recording.mm
+    around = recording.points[frames][:, mates] * recording.mm
+    around = around[:, ~np.isnan(around).any(axis=(0, 2))]
+    return points - around.mean(axis=1) if around.shape[1] >= 2 else points
 
 
-def _extrapolated(points: FloatArray, longest: int, shift: int) -> FloatArray:
-    """Return how far the last samples are from a parabola through those before them.
+def _bent(points: FloatArray, longest: int, params: TailsParams) -> FloatArray:
+    """Return how far each of the samples at the end that bend away is off; none where none do.
+
+    Of all lengths that the tail may have, the one is taken at which its outermost sample is the
+    furthest from where the samples before it lead, against what is usual.
+    """
+    best, bent = params.times_usual, np.zeros(0)
+    for length in range(1, longest + 1):
+        away = _carried_on(points, longest + MORE, length)
+        usual = np.sort(away[:-longest], axis=0)[3 * (len(away) - longest) // 4] + FLOOR_MM
+        ratio = float(away[-1, -1] / usual[-1])
+        if ratio <= best or away[-1, -1] < params.least_mm:
+            continue
+        wrong = away[-1] >= np.maximum(LEAST_SHARE * away[-1, -1], INNER * usual)
+        right = np.flatnonzero(~wrong)
+        best, bent = ratio, away[-1, int(right[-1]) + 1 if right.size else 0 :]
+    return bent
+
+
+def _carried_on(points: FloatArray, base: int, length: int) -> FloatArray:
+    """Return how far samples are from a parabola through those before them.
 
     Parameters
     ----------
-    points : ndarray, shape (ends, samples, 3)
+    points : ndarray, shape (samples, 3)
         In their order.
-    longest : int
-        Samples that are compared.
-    shift : int
-        Samples at the end that are left out.
+    base, length : int
+        Samples that the parabola goes through, and samples after them that are compared.
 
     Returns
     -------
-    ndarray, shape (ends, longest, 3)
+    ndarray, shape (places, length)
+        At every place where there is room, the last one at the end.
     """
-    stop = points.shape[1] - shift
-    base = longest + MORE
-    powers = (np.arange(base + longest) / (base + longest))[:, None] ** np.arange(3)
-    weights = powers[base:] @ np.linalg.pinv(powers[:base])
-    before = points[:, stop - longest - base : stop - longest]
-    offsets: FloatArray = points[:, stop - longest : stop] - weights @ before
-    return offsets
-
-
-def _away(offsets: FloatArray) -> FloatArray:
-    away: FloatArray = np.sqrt(np.einsum("...k,...k->...", offsets, offsets))
+    windows = np.lib.stride_tricks.sliding_window_view(points, base + length, axis=0)
+    apart = windows[:, :, base:] - windows[:, :, :base] @ _weights(base, length).T
+    away: FloatArray = np.sqrt(np.einsum("pkt,pkt->pt", apart, apart))
     return away
 
 
-def _bent(offsets: FloatArray, usual: FloatArray, params: TailsParams) -> int:
-    """Return how many samples at the end bend away."""
-    away = _away(offsets)
-    wrong = away > np.maximum(params.least_mm, params.times_usual * (usual + FLOOR_MM))
-    right = np.flatnonzero(~wrong)
-    return len(wrong) - 1 - int(right[-1]) if right.size else len(wrong)
+@lru_cache(maxsize=64)
+def _weights(base: int, length: int) -> FloatArray:
+    """Return what carries a parabola through some samples on to the next ones."""
+    powers = np.power((np.arange(base + length) / (base + length))[:, None], np.arange(3))
+    weights: FloatArray = powers[base:] @ np.linalg.pinv(powers[:base])
+    return weights
 
 
-def _relative(
-    recording: Recording, mates: list[int], end: _End, offsets: FloatArray, longest: int
-) -> FloatArray:
-    """Return the offsets without what the neighbours do at the same time, where that is less."""
-    inward = np.arange(2 * longest + MORE + COMPARED - 1, -1, -1)
-    frames: IntArray = end.edge + end.direction * inward
-    others = [
-        _extrapolated(recording.points[frames, mate][None] * recording.mm, longest, 0)[0]
-        for mate in mates
-    ]
-    common = common_offset(others)
-    if common is None:
-        return offsets
-    less = np.linalg.norm(offsets - common, axis=1) < np.linalg.norm(offsets, axis=1)
-    return np.where(less[:, None], offsets - common, offsets)
-
-
-def _described(recording: Recording, end: _End, offsets: FloatArray, count: int) -> BadRun:
-    away = _away(offsets)
+def _described(recording: Recording, end: _End, away: FloatArray) -> BadRun:
+    count = len(away)
     start = end.edge if end.direction > 0 else end.edge - count + 1
     side = "after" if end.direction > 0 else "before"
     what = "sample" if count == 1 else f"{count} samples"
