@@ -98,10 +98,9 @@ def usual_away(points: FloatArray, start: IntArray, length: int) -> FloatArray:
     away = np.where(np.isfinite(fits.misfit), fits.away, np.nan).reshape(around.shape)
     away[np.abs(around - start[:, None]) < clear] = np.nan
     away.sort(axis=1)  # NaN last
-    count = away.shape[1] - np.isnan(away).sum(axis=1)
-    middle = np.take_along_axis(away, np.maximum(count - 1, 0)[:, None] // 2, axis=1)[:, 0]
-    usual: FloatArray = np.nan_to_num(middle)
-    return usual
+    count = np.count_nonzero(~np.isnan(away), axis=1)
+    middle: FloatArray = away[np.arange(len(start)), np.maximum(count - 1, 0) // 2]
+    return np.nan_to_num(middle)
 
 
 def block_offsets(points: FloatArray, start: int, length: int) -> FloatArray:
@@ -119,15 +118,16 @@ def block_offsets(points: FloatArray, start: int, length: int) -> FloatArray:
 
 
 def _windows(length: int) -> tuple[IntArray, FloatArray, IntArray, FloatArray]:
-    inside = np.arange(length)
-    beside = np.concatenate((np.arange(-SIDE, 0), np.arange(length, length + SIDE)))
+    """Return the frames inside and beside a block, counted from its first, and their powers."""
+    inside: IntArray = np.arange(length, dtype=np.int64)
+    beside: IntArray = np.concatenate((np.arange(-SIDE, 0), np.arange(length, length + SIDE)))
     middle, scale = (length - 1) / 2, length / 2 + SIDE
     degrees = np.arange(DEGREE + 1)
     return (
         inside,
-        ((inside[:, None] - middle) / scale) ** degrees,
+        np.power((inside[:, None] - middle) / scale, degrees),
         beside,
-        ((beside[:, None] - middle) / scale) ** degrees,
+        np.power((beside[:, None] - middle) / scale, degrees),
     )
 
 

@@ -52,10 +52,10 @@ def find_jumps(recording: Recording, progress: Progress) -> tuple[FloatArray, Bo
     Returns
     -------
     errors : ndarray, shape (frames, markers)
-        See `own_errors`, in mm; as float32, which is enough to compare.
+        See `own_errors`, in mm.
     jumps : ndarray of bool, shape (frames, markers)
     """
-    errors = np.full((recording.frames, recording.markers), np.nan, dtype=np.float32)
+    errors = np.full((recording.frames, recording.markers), np.nan)
     jumps = np.zeros(errors.shape, dtype=np.bool_)
     for marker in range(recording.markers):
         progress(marker / recording.markers)
@@ -138,9 +138,7 @@ def _at(
     return found
 
 
-def _half(
-    there: float, back: float, own: FloatArray, jumped: BoolArray
-) -> tuple[float, bool]:
+def _half(there: float, back: float, own: FloatArray, jumped: BoolArray) -> tuple[float, bool]:
     """Judge a pair of which one is missing before or after: only one way can be measured."""
     if np.isfinite(there) == np.isfinite(back):
         return np.inf, False

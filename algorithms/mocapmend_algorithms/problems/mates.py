@@ -3,7 +3,10 @@
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.skeleton import PairDistances
+from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.skeleton import PairDistances, measure_distances
+from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 MOST_MATES = 4
 FURTHEST_MM = 500.0
@@ -34,6 +37,16 @@ def nearest_mates(distances: PairDistances | None, markers: int) -> list[list[in
         [int(other) for other in order[marker] if np.isfinite(cost[marker, other])]
         for marker in range(markers)
     ]
+
+
+def mates_of(recording: Recording, progress: Progress) -> list[list[int]]:
+    """Measure the distances of all markers and list the nearest mates of each.
+
+    There are none where there are too many markers to measure.
+    """
+    if recording.markers > MOST_MARKERS:
+        return nearest_mates(None, recording.markers)
+    return nearest_mates(measure_distances(recording, progress), recording.markers)
 
 
 def common_offset(offsets: list[FloatArray]) -> FloatArray | None:

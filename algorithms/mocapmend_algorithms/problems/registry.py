@@ -4,7 +4,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from mocapmend_algorithms.problems import spikes, swaps
+from mocapmend_algorithms.problems import (
+    bone_breaks,
+    far,
+    fragments,
+    frozen,
+    reflections,
+    spikes,
+    swaps,
+    tails,
+)
 from mocapmend_algorithms.problems.contract import DetectFunction
 
 Remedy = Literal["missing", "exchange"]
@@ -58,6 +67,59 @@ _ALL = (
         "of the recording hides where it begins or ends. Labels that are swapped throughout cannot "
         "be found.",
         remedy="exchange",
+    ),
+    Detector(
+        id="fragments",
+        label="Fragments and ghosts",
+        function=fragments.fragments,
+        params=fragments.FragmentsParams,
+        help="Points without a label, and labels that come twice, that are pieces of a marker's "
+        "trajectory. Those that fit no marker are listed as ghosts.",
+        remedy="exchange",
+    ),
+    Detector(
+        id="tails",
+        label="Ragged ends",
+        function=tails.tails,
+        params=tails.TailsParams,
+        help="Samples just before or after a gap that bend away from the trajectory, as those of a "
+        "marker that is half hidden.",
+        remedy="missing",
+    ),
+    Detector(
+        id="frozen",
+        label="Frozen samples",
+        function=frozen.frozen,
+        params=frozen.FrozenParams,
+        help="Samples that repeat the one before exactly while the marker goes on moving. Files in "
+        "which repeats are usual, as up-sampled ones, are left alone.",
+        remedy="missing",
+    ),
+    Detector(
+        id="bone-breaks",
+        label="Broken bones",
+        function=bone_breaks.bone_breaks,
+        params=bone_breaks.BoneBreaksParams,
+        help="Markers that for some frames are at another distance from their neighbours than "
+        "otherwise, and go there or come back in a jump.",
+        remedy="missing",
+    ),
+    Detector(
+        id="far",
+        label="Far from the body",
+        function=far.far,
+        params=far.FarParams,
+        help="Points much further from the body than its markers are, and than they usually are.",
+        remedy="missing",
+    ),
+    Detector(
+        id="reflections",
+        label="Coinciding points",
+        function=reflections.reflections,
+        params=reflections.ReflectionsParams,
+        help="Two points in the same place that are apart otherwise: one is a reflection, or was "
+        "labelled twice.",
+        remedy="missing",
     ),
 )
 

@@ -17,16 +17,14 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.blocks import SIDE, Fits, block_offsets, fit_blocks, usual_away
 from mocapmend_algorithms.problems.levels import running_level
-from mocapmend_algorithms.problems.mates import common_offset, nearest_mates
+from mocapmend_algorithms.problems.mates import common_offset, mates_of
+from mocapmend_algorithms.problems.steps import BREAK, step_sizes
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import Skeleton, measure_distances
-from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
+from mocapmend_algorithms.skeleton import Skeleton
 
 FLOOR_MM = 0.3
 """What no system measures better: in simulated motion the noise is 0."""
-BREAK = 4.0
-"""Times the level around it that a break has."""
 SHARP = 0.4
 """Of the deviation, the step at either end: what goes out and comes back by degrees is motion."""
 LEAST_SHARE = 0.15
@@ -112,26 +110,6 @@ def spikes(
     ]
 
 
-def steps(points: FloatArray) -> FloatArray:
-    """Measure the steps in a trajectory that its smooth continuation does not explain.
-
-    Parameters
-    ----------
-    points : ndarray, shape (frames, 3)
-        One trajectory, NaN = missing.
-
-    Returns
-    -------
-    ndarray, shape (frames,)
-        At t the step between t - 1 and t; NaN where one of two samples on either side is missing.
-    """
-    step = np.full(len(points), np.nan)
-    third = points[3:] - 3.0 * points[2:-1] + 3.0 * points[1:-2] - points[:-3]
-    # A step makes the third difference twice as large, and noise sqrt(20) times.
-    step[2:-1] = np.sqrt(np.einsum("tk,tk->t", third, third)) / 2.0
-    return step
-
-
 def _of_one(points: FloatArray, rate: float, longest: int, params: SpikesParams) -> list[_Found]:
     """Find the spikes of one trajectory; those found first are mended to see the others."""
     if len(points) < 2 * SIDE:
@@ -149,7 +127,7 @@ def _of_one(points: FloatArray, rate: float, longest: int, params: SpikesParams)
 
 
 def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -> list[_Found]:
-    step = steps(points)
+    step = step_sizes(points)
     level = running_level(step, rate)
     with np.errstate(invalid="ignore"):
         broken = step > np.maximum(SHARP * params.least_mm, BREAK * level)
@@ -167,10 +145,10 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
             good &= _sharp(step, first, length, fits)
         good[good] = fits.away[good] >= UNUSUAL * usual_away(points, first[good], length)
-        for at in np.flatnonzero(good).tolist():
-            candidates.append(
-                _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
-            )
+        candidates += [
+            _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
+            for at in np.flatnonzero(good)
+        ]
     return _apart(candidates)
 
 
@@ -188,8 +166,8 @@ def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolAr
     # Beside a gap it cannot be told.
     into = np.where(np.isnan(into), fits.first, into)
     back = np.where(np.isnan(back), fits.last, back)
-    sharp = (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
-    sharp &= np.maximum(into, back) >= SHARP * fits.away
+    sharp: BoolArray = np.greater_equal(np.maximum(into, back), SHARP * fits.away)
+    sharp &= np.minimum(into - SHARP * fits.first, back - SHARP * fits.last) >= 0.0
     return sharp
 
 
@@ -234,9 +212,9 @@ def _without_shocks(
     progress: Progress,
 ) -> list[list[_Found]]:
     """Leave out what the neighbours do at the same time."""
-    if not any(found) or recording.markers > MOST_MARKERS:
+    if not any(found):
         return list(found)
-    mates = nearest_mates(measure_distances(recording, part(progress, 0.0, 0.9)), len(found))
+    mates = mates_of(recording, progress)
     return [
         [spike for spike in each if _stands_out(recording, mates[marker], marker, spike, params)]
         for marker, each in enumerate(found)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.crossings import Crossing, find_crossings, find_jumps
@@ -29,6 +29,8 @@ CROSSING_MISSED, HALF_MISSED = 12.0, 4.0
 """Cost of a crossing at which the labels do not change: both seen, and one of them missing."""
 UNSEEN_CHANGE, JUMP_CHANGE, BARE_CHANGE = 6.0, 3.0, 60.0
 """Cost of a change in a gap, at a jump of one marker, and anywhere else."""
+LEAST_SURE = 5.0
+"""How much more it must cost to call a swap right."""
 SWAPPED = 1.0
 """Cost of a swap, whatever its length; by its share of the recording up to twice as much."""
 
@@ -112,10 +114,10 @@ def _likeliest(runs: Sequence[BadRun]) -> list[BadRun]:
 
 def _neighbours_with_gaps(recording: Recording, likeness: Likeness) -> Iterable[tuple[int, int]]:
     """List pairs of neighbours of which a gap may hide that they change places."""
-    gaps = ~recording.present.all(axis=0)
+    complete = set(np.flatnonzero(recording.present.all(axis=0)).tolist())
     for marker, mates in enumerate(likeness.mates):
         for mate in mates:
-            if gaps[marker] or gaps[mate]:
+            if not {marker, mate} <= complete:
                 yield min(marker, mate), max(marker, mate)
 
 
@@ -137,6 +139,8 @@ def _of_pair(
     edges = np.flatnonzero(np.diff(np.concatenate(([0], swapped.astype(np.int8), [0]))))
     for first, last in edges.reshape(-1, 2).tolist():
         sure = _certainty(pieces, costs, first, last)
+        if sure < LEAST_SURE:
+            continue
         run = _described(recording, pair, pieces[first:last], sure, distances)
         if run is not None and run.deviation * recording.mm >= params.least_mm:
             found.append(run)
@@ -151,7 +155,7 @@ def _pieces(
 ) -> list[_Piece]:
     """Cut time where the two may change places."""
     frames = recording.frames
-    present = recording.present[:, pair]
+    present = recording.present[:, list(pair)]
     costs: dict[int, tuple[float, float]] = {}
     for frame in np.flatnonzero(jumps[:, pair].any(axis=1)).tolist():
         costs[frame] = JUMP_CHANGE, 0.0
@@ -163,9 +167,7 @@ def _pieces(
     cuts = sorted(costs)
     stops = [*cuts, frames]
     first = _Piece(0, stops[0], 0.0, 0.0)
-    rest = [
-        _Piece(cut, stop, *costs[cut]) for cut, stop in zip(cuts, stops[1:], strict=True)
-    ]
+    rest = [_Piece(cut, stop, *costs[cut]) for cut, stop in zip(cuts, stops[1:], strict=True)]
     return [first, *rest]
 
 
@@ -182,8 +184,8 @@ def _costs(
     frames: IntArray = starts[:, None] + (lengths[:, None] * share).astype(np.int64)
     like = likeness.swapped(*pair, frames.ravel()).reshape(frames.shape)
     like = np.clip(np.median(like, axis=1), -MOST_LIKE, MOST_LIKE)
-    seen = recording.present[:, pair].any(axis=1)
-    any_seen = np.array([seen[piece.start : piece.stop].any() for piece in pieces])
+    seen = running_count(recording.present[:, list(pair)].sum(axis=1))
+    any_seen = seen[starts + lengths] > seen[starts]
     weight = 1.0 + np.log10(lengths)
     rare = SWAPPED * lengths / recording.frames
     costs: FloatArray = np.where(any_seen, -like * weight + rare, 0.0)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -17,11 +18,15 @@ APART = 6
 
 @dataclass(frozen=True)
 class Injected:
-    """An error: samples start to stop - 1 of some markers are wrong."""
+    """An error: samples start to stop - 1 of some markers are wrong.
+
+    `belongs_to` is the marker that a fragment is a piece of.
+    """
 
     markers: tuple[int, ...]
     start: int
     stop: int
+    belongs_to: int | None = None
 
     @property
     def samples(self) -> int:
@@ -40,7 +45,7 @@ class Canvas:
     points : ndarray, shape (frames, markers, 3)
         As it becomes; markers may be added at the end.
     missing : ndarray of bool, shape (frames, markers)
-        Of the source.
+        Which samples of the source are missing.
     used : ndarray of bool, shape (frames, markers)
         Where another error would be too close.
     errors : list of Injected
@@ -80,7 +85,7 @@ class Canvas:
             self.used[low:high, marker] = True
         self.errors.append(error)
 
-    @property
+    @cached_property
     def recording(self) -> Recording:
         """The corrupted recording."""
         extra = self.points.shape[1] - self.source.markers
@@ -101,62 +106,6 @@ Corrupt = Callable[[Canvas, np.random.Generator], bool]
 """Puts one error into a canvas; False where there was no room."""
 
 
-def spike(least_mm: float, most_mm: float, shortest: int, longest: int) -> Corrupt:
-    """Make spikes: an offset of a random size and direction, which shakes by a tenth."""
-
-    def corrupt(canvas: Canvas, rng: np.random.Generator) -> bool:
-        length = int(rng.integers(shortest, longest + 1))
-        size = float(np.exp(rng.uniform(np.log(least_mm), np.log(most_mm)))) / canvas.source.mm
-        direction = rng.normal(size=3)
-        direction /= np.linalg.norm(direction)
-        marker, start = _place(canvas, rng, length)
-        stop = start + length
-        if not (canvas.seen(marker, start, stop) and canvas.held(marker, start, stop)):
-            return False
-        shake = 0.1 * size / np.sqrt(3) * rng.normal(size=(length, 3)) if length > 1 else 0.0
-        canvas.points[start:stop, marker] += size * direction + shake
-        canvas.add(Injected((marker,), start, stop))
-        return True
-
-    return corrupt
-
-
-def swap(least_mm: float, most_mm: float, longest: int) -> Corrupt:
-    """Exchange a marker with one of its three nearest, for 1 to so many frames, gaps and all."""
-
-    def corrupt(canvas: Canvas, rng: np.random.Generator) -> bool:
-        length = round(float(np.exp(rng.uniform(0.0, np.log(longest)))))
-        length = min(length, canvas.source.frames // 3)
-        first, start = _place(canvas, rng, length)
-        stop = start + length
-        away = _distances(canvas.source, first, start, stop)
-        near = [k for k in np.argsort(away)[:3].tolist() if least_mm <= away[k] < most_mm]
-        if not near or not length:
-            return False
-        second = int(rng.choice(near))
-        if not (canvas.free(first, start, stop) and canvas.free(second, start, stop)):
-            return False
-        canvas.points[start:stop, [first, second]] = canvas.points[start:stop, [second, first]]
-        canvas.add(Injected((first, second), start, stop))
-        return True
-
-    return corrupt
-
-
-def _distances(recording: Recording, marker: int, start: int, stop: int) -> FloatArray:
-    """Return the smallest distance of each other marker over some frames in mm."""
-    points = recording.points[start:stop]
-    apart = np.linalg.norm(points - points[:, [marker]], axis=2) * recording.mm
-    away = np.min(np.where(np.isnan(apart), np.inf, apart), axis=0, initial=np.inf)
-    away[marker] = np.inf
-    return away
-
-
-def _place(canvas: Canvas, rng: np.random.Generator, length: int) -> tuple[int, int]:
-    marker = int(rng.integers(canvas.source.markers))
-    return marker, int(rng.integers(0, max(1, canvas.source.frames - length + 1)))
-
-
 class Corruptor:
     """Corrupts recordings one after the other, so that the rate holds over all of them.
 
@@ -174,7 +123,10 @@ class Corruptor:
         self._owed = 0.0
 
     def corrupted(self, recording: Recording) -> Canvas:
-        """Return a recording with as many errors as the rate owes by now."""
+        """Return a recording with as many errors as the rate owes by now.
+
+        What a recording has no room for is put into the next ones.
+        """
         canvas = Canvas.of(recording)
         self._owed += RATE * float(np.count_nonzero(recording.present))
         for _ in range(TRIES):

@@ -18,6 +18,8 @@ class Score:
     ----------
     right, false, missed : int
         Samples: bad and found, found but not bad, bad but not found.
+    earlier : int
+        Samples that were found and that the recording's own errors may explain.
     errors, found : int
         Errors that were put in, and those of which a sample was found.
     latencies : list of int
@@ -26,16 +28,31 @@ class Score:
 
     right: int = 0
     false: int = 0
+    earlier: int = 0
     missed: int = 0
     errors: int = 0
     found: int = 0
     latencies: list[int] = field(default_factory=list)
 
-    def count(self, canvas: Canvas, flagged: BoolArray) -> None:
-        """Count one recording."""
+    def count(self, canvas: Canvas, flagged: BoolArray, own: BoolArray) -> None:
+        """Count one recording.
+
+        Parameters
+        ----------
+        canvas : Canvas
+            What was done to it.
+        flagged : ndarray of bool, shape (frames, markers)
+            What was found.
+        own : ndarray of bool, shape (frames, markers of the source)
+            Errors that the recording has had before; they are counted apart.
+        """
         truth = canvas.truth()
+        false = flagged & ~truth
+        earlier = np.zeros_like(truth)
+        earlier[:, : own.shape[1]] = own
         self.right += int(np.count_nonzero(truth & flagged))
-        self.false += int(np.count_nonzero(flagged & ~truth))
+        self.false += int(np.count_nonzero(false & ~earlier))
+        self.earlier += int(np.count_nonzero(false & earlier))
         self.missed += int(np.count_nonzero(truth & ~flagged))
         for error in canvas.errors:
             inside = flagged[error.start : error.stop, list(error.markers)].any(axis=1)
@@ -50,6 +67,11 @@ class Score:
         return _share(self.right, self.right + self.false)
 
     @property
+    def strict_precision(self) -> float:
+        """The same where the recordings are held for faultless."""
+        return _share(self.right, self.right + self.false + self.earlier)
+
+    @property
     def recall(self) -> float:
         """Share of the bad samples that were found."""
         return _share(self.right, self.right + self.missed)
@@ -58,6 +80,12 @@ class Score:
     def f1(self) -> float:
         """Harmonic mean of precision and recall."""
         return _share(2 * self.right, 2 * self.right + self.false + self.missed)
+
+    @property
+    def strict_f1(self) -> float:
+        """F1 where the recordings are held for faultless."""
+        wrong = self.false + self.earlier + self.missed
+        return _share(2 * self.right, 2 * self.right + wrong)
 
     @property
     def latency(self) -> tuple[float, float]:
