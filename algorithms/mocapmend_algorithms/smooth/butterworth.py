@@ -16,6 +16,7 @@ higher by 1 / 0.802 for the same curve.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -36,6 +37,8 @@ LEAST_TO_CHOOSE = 32
 """Samples on end from which a cut-off can be chosen."""
 PAD_PERIODS = 1.0
 """Periods of the cut-off by which the samples are continued at their ends."""
+SPECTRUM = 2048
+"""Frequencies by which means over all of them are taken."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,13 @@ class ButterworthParams:
         label="Choose for",
         text="Automatic cut-off only: one for each axis of each marker, one for each marker, or "
         "one for all that is smoothed.",
+    )
+    rule: Literal["least-error", "winter"] = option(
+        "least-error",
+        label="Rule",
+        text="Automatic cut-off only. Least error: the cut-off with the least expected error, "
+        "given the noise that residual analysis finds. Winter: where the residual equals the "
+        "noise, which smooths more.",
     )
     order: int = option(
         4,
@@ -137,18 +147,56 @@ def low_pass(samples: FloatArray, cutoff: float, rate: float, order: int) -> Flo
     -------
     ndarray, shape (samples, ...)
     """
-    from scipy.signal import butter, sosfiltfilt
+    from scipy.signal import sosfiltfilt
 
-    sections = butter(order // 2, pass_cutoff(cutoff, rate, order), fs=rate, output="sos")
+    sections = _sections(cutoff, rate, order)
     pad = min(len(samples) - 1, int(np.ceil(PAD_PERIODS * rate / cutoff)))
     filtered: FloatArray = sosfiltfilt(sections, samples, axis=0, padlen=pad)
     return filtered
+
+
+@lru_cache(maxsize=256)
+def _sections(cutoff: float, rate: float, order: int) -> FloatArray:
+    from scipy.signal import butter
+
+    sections: FloatArray = butter(
+        order // 2, pass_cutoff(cutoff, rate, order), fs=rate, output="sos"
+    )
+    return sections
 
 
 def pass_cutoff(cutoff: float, rate: float, order: int) -> float:
     """Return the cut-off of each of two passes that together have the given one, in Hz."""
     correction = (np.sqrt(2) - 1) ** (1 / order)
     return float(rate / np.pi * np.arctan(np.tan(np.pi * cutoff / rate) / correction))
+
+
+@lru_cache(maxsize=8)
+def white_noise(
+    cutoffs: tuple[float, ...], rate: float, order: int
+) -> tuple[FloatArray, FloatArray]:
+    """Say what the filter does to white noise.
+
+    Parameters
+    ----------
+    cutoffs : tuple of float
+        In Hz.
+    rate, order
+        As for `low_pass`.
+
+    Returns
+    -------
+    taken : ndarray, shape (cutoffs,)
+        Share of its power that is in the residual.
+    passed : ndarray, shape (cutoffs,)
+        Mean of the response over all frequencies.
+    """
+    warped = np.tan(np.pi / 2 * (np.arange(SPECTRUM) + 0.5) / SPECTRUM)
+    edges = np.tan(
+        np.pi * np.array([pass_cutoff(cutoff, rate, order) for cutoff in cutoffs]) / rate
+    )
+    response = 1 / (1 + (warped / edges[:, None]) ** order)
+    return np.mean((1 - response) ** 2, axis=1), np.mean(response, axis=1)
 
 
 class _Chooser:
@@ -167,8 +215,7 @@ class _Chooser:
         total, count = np.zeros(self._frequencies.size), 0
         for number, run in enumerate(runs):
             progress(number / len(runs))
-            long, _ = sort_pieces(recording, run, least)
-            for piece in long:
+            for piece in sort_pieces(recording, run, least)[0]:
                 total += piece.samples * self._squares(cut(recording, run, piece)).mean(axis=1)
                 count += piece.samples
         self._of_all = total[:, None] / max(count, 1)
@@ -179,10 +226,12 @@ class _Chooser:
             cutoffs = np.full(3, self._params.cutoff_hz)
             return cutoffs, {"cutoff_hz": cutoffs.tolist()}
         squares = self._of_all if self._of_all is not None else self._of_run(samples)
-        found = choose_cutoffs(squares, self._frequencies, self._rate)
-        noise = np.sqrt(noise_variance(squares, self._frequencies, self._rate))
-        cutoffs, noise = np.broadcast_to(found, 3), np.broadcast_to(noise, 3)
-        return cutoffs, {"cutoff_hz": cutoffs.tolist(), "noise": noise.tolist()}
+        taken, passed = white_noise(tuple(self._frequencies), self._rate, self._params.order)
+        noise = noise_variance(squares, taken, self._frequencies, self._rate)
+        places = choose_cutoffs(squares, noise, passed, self._params.rule)
+        cutoffs = np.broadcast_to(self._frequencies[places], 3)
+        spread = np.broadcast_to(np.sqrt(noise), 3)
+        return cutoffs, {"cutoff_hz": cutoffs.tolist(), "noise": spread.tolist()}
 
     def _of_run(self, samples: Sequence[FloatArray]) -> FloatArray:
         sizes = [len(one) for one in samples]
