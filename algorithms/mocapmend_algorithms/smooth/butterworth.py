@@ -1,22 +1,11 @@
-"""Zero-lag Butterworth low-pass filter.
+"""Zero-lag Butterworth low-pass filter, its cut-off given or chosen by residual analysis.
 
-The samples pass a Butterworth filter forwards and backwards, so that nothing is delayed. Two
-passes of a filter of order n attenuate as one of order 2 n would, and the frequency that one pass
-halves in power the two quarter. `order` is that of both passes together (the "fourth-order
-zero-lag filter" of the field has two passes of order 2), and `cutoff_hz` is where both passes
-together halve the power (-3 dB): each pass is designed for the higher frequency that Winter's
-correction gives,
-
-    tan(pi f_pass / rate) = tan(pi f_cutoff / rate) / (sqrt(2) - 1)^(1 / order).
-
-W09 = Winter 2009, Biomechanics and Motor Control of Human Movement, 4th ed., section 3.4.4.2; for
-order 4 the factor is his 0.802. A program without the correction has to be given a cut-off
-higher by 1 / 0.802 for the same curve.
+`order` and `cutoff_hz` are those of both passes together, with Winter's correction; see
+`low_pass`.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -26,6 +15,7 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult
+from mocapmend_algorithms.smooth.low_pass import low_pass, residual_squares, white_noise
 from mocapmend_algorithms.smooth.residual_analysis import (
     candidates,
     choose_cutoffs,
@@ -35,10 +25,6 @@ from mocapmend_algorithms.smooth.stretches import check_runs, cut, smooth_runs, 
 
 LEAST_TO_CHOOSE = 32
 """Samples on end from which a cut-off can be chosen."""
-PAD_PERIODS = 1.0
-"""Periods of the cut-off by which the samples are continued at their ends."""
-SPECTRUM = 2048
-"""Frequencies by which means over all of them are taken."""
 
 
 @dataclass(frozen=True)
@@ -129,76 +115,6 @@ def butterworth(
     )
 
 
-def low_pass(samples: FloatArray, cutoff: float, rate: float, order: int) -> FloatArray:
-    """Filter samples forwards and backwards.
-
-    Parameters
-    ----------
-    samples : ndarray, shape (samples, ...)
-        Without a gap, more than one; each column is filtered.
-    cutoff : float
-        Where both passes together halve the power, in Hz, below half the rate.
-    rate : float
-        Samples per second (Hz).
-    order : int
-        Of both passes together, even.
-
-    Returns
-    -------
-    ndarray, shape (samples, ...)
-    """
-    from scipy.signal import sosfiltfilt
-
-    sections = _sections(cutoff, rate, order)
-    pad = min(len(samples) - 1, int(np.ceil(PAD_PERIODS * rate / cutoff)))
-    filtered: FloatArray = sosfiltfilt(sections, samples, axis=0, padlen=pad)
-    return filtered
-
-
-@lru_cache(maxsize=256)
-def _sections(cutoff: float, rate: float, order: int) -> FloatArray:
-    from scipy.signal import butter
-
-    sections: FloatArray = butter(
-        order // 2, pass_cutoff(cutoff, rate, order), fs=rate, output="sos"
-    )
-    return sections
-
-
-def pass_cutoff(cutoff: float, rate: float, order: int) -> float:
-    """Return the cut-off of each of two passes that together have the given one, in Hz."""
-    correction = (np.sqrt(2) - 1) ** (1 / order)
-    return float(rate / np.pi * np.arctan(np.tan(np.pi * cutoff / rate) / correction))
-
-
-@lru_cache(maxsize=8)
-def white_noise(
-    cutoffs: tuple[float, ...], rate: float, order: int
-) -> tuple[FloatArray, FloatArray]:
-    """Say what the filter does to white noise.
-
-    Parameters
-    ----------
-    cutoffs : tuple of float
-        In Hz.
-    rate, order
-        As for `low_pass`.
-
-    Returns
-    -------
-    taken : ndarray, shape (cutoffs,)
-        Share of its power that is in the residual.
-    passed : ndarray, shape (cutoffs,)
-        Mean of the response over all frequencies.
-    """
-    warped = np.tan(np.pi / 2 * (np.arange(SPECTRUM) + 0.5) / SPECTRUM)
-    edges = np.tan(
-        np.pi * np.array([pass_cutoff(cutoff, rate, order) for cutoff in cutoffs]) / rate
-    )
-    response = 1 / (1 + (warped / edges[:, None]) ** order)
-    return np.mean((1 - response) ** 2, axis=1), np.mean(response, axis=1)
-
-
 class _Chooser:
     """Chooses the cut-offs of a run."""
 
@@ -240,13 +156,8 @@ class _Chooser:
 
     def _squares(self, samples: FloatArray) -> FloatArray:
         """Return the mean square residuals, shape (frequencies, 3)."""
-        order, rate = self._params.order, self._rate
-        return np.array(
-            [
-                np.mean((samples - low_pass(samples, cutoff, rate, order)) ** 2, axis=0)
-                for cutoff in self._frequencies.tolist()
-            ]
-        )
+        cutoffs = self._frequencies.tolist()
+        return residual_squares(samples, cutoffs, self._rate, self._params.order)
 
 
 def _by_axis(samples: FloatArray, cutoffs: FloatArray, rate: float, order: int) -> FloatArray:

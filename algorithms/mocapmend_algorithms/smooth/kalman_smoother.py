@@ -42,10 +42,10 @@ class KalmanSmootherParams:
     """Parameters of `kalman_smoother`."""
 
     model: Literal["velocity", "acceleration"] = option(
-        "acceleration",
+        "velocity",
         label="Constant",
         text="What is carried from frame to frame: the velocity, or the acceleration too, which "
-        "makes a smoother curve.",
+        "makes a smoother curve and rounds off more of an impact.",
     )
     noise_mm: float | None = option(
         None,
