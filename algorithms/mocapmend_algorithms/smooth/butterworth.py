@@ -24,7 +24,7 @@ from mocapmend_algorithms.smooth.residual_analysis import (
 from mocapmend_algorithms.smooth.stretches import check_runs, cut, smooth_runs, sort_pieces
 
 LEAST_TO_CHOOSE = 32
-"""Samples on end from which a cut-off can be chosen."""
+"""Samples on end from which a cut-off can be chosen; shorter pieces of the run have the same."""
 
 
 @dataclass(frozen=True)
@@ -94,10 +94,9 @@ def butterworth(
     _check(params, recording.rate)
     chooser = _Chooser(params, recording.rate)
     least = 2 * params.order + 1
-    if params.cutoff_hz is None:
-        least = max(least, LEAST_TO_CHOOSE)
+    least_longest = max(least, LEAST_TO_CHOOSE) if params.cutoff_hz is None else least
     if params.cutoff_hz is None and params.cutoff_for == "all":
-        chooser.look_at_all(recording, runs, least, part(progress, 0.0, 0.5))
+        chooser.look_at_all(recording, runs, least_longest, part(progress, 0.0, 0.5))
         progress = part(progress, 0.5, 1.0)
 
     def smooth(samples: list[FloatArray]) -> tuple[list[FloatArray], dict[str, Any]]:
@@ -110,6 +109,7 @@ def butterworth(
         method="butterworth",
         params=params,
         least=least,
+        least_longest=least_longest,
         smooth=smooth,
         progress=progress,
     )
@@ -150,8 +150,9 @@ class _Chooser:
         return cutoffs, {"cutoff_hz": cutoffs.tolist(), "noise": spread.tolist()}
 
     def _of_run(self, samples: Sequence[FloatArray]) -> FloatArray:
-        sizes = [len(one) for one in samples]
-        squares = np.average([self._squares(one) for one in samples], axis=0, weights=sizes)
+        long = [one for one in samples if len(one) >= LEAST_TO_CHOOSE]
+        sizes = [len(one) for one in long]
+        squares = np.average([self._squares(one) for one in long], axis=0, weights=sizes)
         return squares if self._params.cutoff_for == "axis" else squares.mean(axis=1)[:, None]
 
     def _squares(self, samples: FloatArray) -> FloatArray:

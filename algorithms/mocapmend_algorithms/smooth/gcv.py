@@ -43,7 +43,7 @@ class GcvParams:
         label="Measurement noise",
         text="Standard deviation of a measured coordinate: about so much is smoothed away. "
         "Automatic: generalised cross-validation.",
-        minimum=0.0,
+        minimum=0.001,
         maximum=1000.0,
         unit="mm",
     )
@@ -73,11 +73,11 @@ def gcv(
     Raises
     ------
     ValueError
-        If the noise is negative, or the runs are outside the recording or overlap.
+        If the noise is not positive, or the runs are outside the recording or overlap.
     """
     check_runs(recording, runs)
-    if params.noise_mm is not None and not params.noise_mm >= 0:
-        raise ValueError(f"noise_mm must be at least 0 mm, not {params.noise_mm:g}")
+    if params.noise_mm is not None and not params.noise_mm > 0:
+        raise ValueError(f"noise_mm must be above 0 mm, not {params.noise_mm:g}")
     noise = None if params.noise_mm is None else params.noise_mm / recording.mm
     return smooth_runs(
         recording,
