@@ -72,7 +72,7 @@ def test_noise_is_the_same_every_time_and_as_large_as_it_says() -> None:
 def test_a_sudden_stop_is_an_impact() -> None:
     found = Case("a", "here", "train", recording(swing())).impacts()
     assert found[199:202, 1].all()
-    assert found.sum() == 6
+    assert 6 <= found.sum() <= 7
 
 
 def test_errors_against_closed_forms() -> None:
@@ -103,7 +103,13 @@ def test_missing_samples_count_nowhere() -> None:
     assert np.isnan(smoothed.points[100:120, 0]).all()
 
 
-def test_the_tables(samples: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_tables(
+    samples: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(command, "NOISES_MM", (0.0, 5.0))
     shutil.copy(samples / "walk_cmu_02_01.c3d", tmp_path / "walk_01.c3d")
     arguments = ["smoothing", "--data", str(tmp_path), "--frames", "100"]
     assert main([*arguments, "--json"]) == 0
