@@ -1,17 +1,7 @@
-"""Zero-lag Butterworth low-pass filter.
+"""Zero-lag Butterworth low-pass filter, its cut-off given or chosen by residual analysis.
 
-The samples pass a Butterworth filter forwards and backwards, so that nothing is delayed. Two
-passes of a filter of order n attenuate as one of order 2 n would, and the frequency that one pass
-halves in power the two quarter. `order` is that of both passes together (the "fourth-order
-zero-lag filter" of the field has two passes of order 2), and `cutoff_hz` is where both passes
-together halve the power (-3 dB): each pass is designed for the higher frequency that Winter's
-correction gives,
-
-    tan(pi f_pass / rate) = tan(pi f_cutoff / rate) / (sqrt(2) - 1)^(1 / order).
-
-W09 = Winter 2009, Biomechanics and Motor Control of Human Movement, 4th ed., section 3.4.4.2; for
-order 4 the factor is his 0.802. A program without the correction has to be given a cut-off
-higher by 1 / 0.802 for the same curve.
+`order` and `cutoff_hz` are those of both passes together, with Winter's correction; see
+`low_pass`.
 """
 
 from collections.abc import Sequence
@@ -25,6 +15,7 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult
+from mocapmend_algorithms.smooth.low_pass import low_pass, residual_squares, white_noise
 from mocapmend_algorithms.smooth.residual_analysis import (
     candidates,
     choose_cutoffs,
@@ -33,9 +24,7 @@ from mocapmend_algorithms.smooth.residual_analysis import (
 from mocapmend_algorithms.smooth.stretches import check_runs, cut, smooth_runs, sort_pieces
 
 LEAST_TO_CHOOSE = 32
-"""Samples on end from which a cut-off can be chosen."""
-PAD_PERIODS = 1.0
-"""Periods of the cut-off by which the samples are continued at their ends."""
+"""Samples on end from which a cut-off can be chosen; shorter pieces of the run have the same."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +45,13 @@ class ButterworthParams:
         label="Choose for",
         text="Automatic cut-off only: one for each axis of each marker, one for each marker, or "
         "one for all that is smoothed.",
+    )
+    rule: Literal["least-error", "winter"] = option(
+        "least-error",
+        label="Rule",
+        text="Automatic cut-off only. Least error: the cut-off with the least expected error, "
+        "given the noise that residual analysis finds. Winter: where the residual equals the "
+        "noise, which smooths more.",
     )
     order: int = option(
         4,
@@ -98,10 +94,9 @@ def butterworth(
     _check(params, recording.rate)
     chooser = _Chooser(params, recording.rate)
     least = 2 * params.order + 1
-    if params.cutoff_hz is None:
-        least = max(least, LEAST_TO_CHOOSE)
+    least_longest = max(least, LEAST_TO_CHOOSE) if params.cutoff_hz is None else least
     if params.cutoff_hz is None and params.cutoff_for == "all":
-        chooser.look_at_all(recording, runs, least, part(progress, 0.0, 0.5))
+        chooser.look_at_all(recording, runs, least_longest, part(progress, 0.0, 0.5))
         progress = part(progress, 0.5, 1.0)
 
     def smooth(samples: list[FloatArray]) -> tuple[list[FloatArray], dict[str, Any]]:
@@ -114,41 +109,10 @@ def butterworth(
         method="butterworth",
         params=params,
         least=least,
+        least_longest=least_longest,
         smooth=smooth,
         progress=progress,
     )
-
-
-def low_pass(samples: FloatArray, cutoff: float, rate: float, order: int) -> FloatArray:
-    """Filter samples forwards and backwards.
-
-    Parameters
-    ----------
-    samples : ndarray, shape (samples, ...)
-        Without a gap, more than one; each column is filtered.
-    cutoff : float
-        Where both passes together halve the power, in Hz, below half the rate.
-    rate : float
-        Samples per second (Hz).
-    order : int
-        Of both passes together, even.
-
-    Returns
-    -------
-    ndarray, shape (samples, ...)
-    """
-    from scipy.signal import butter, sosfiltfilt
-
-    sections = butter(order // 2, pass_cutoff(cutoff, rate, order), fs=rate, output="sos")
-    pad = min(len(samples) - 1, int(np.ceil(PAD_PERIODS * rate / cutoff)))
-    filtered: FloatArray = sosfiltfilt(sections, samples, axis=0, padlen=pad)
-    return filtered
-
-
-def pass_cutoff(cutoff: float, rate: float, order: int) -> float:
-    """Return the cut-off of each of two passes that together have the given one, in Hz."""
-    correction = (np.sqrt(2) - 1) ** (1 / order)
-    return float(rate / np.pi * np.arctan(np.tan(np.pi * cutoff / rate) / correction))
 
 
 class _Chooser:
@@ -167,8 +131,7 @@ class _Chooser:
         total, count = np.zeros(self._frequencies.size), 0
         for number, run in enumerate(runs):
             progress(number / len(runs))
-            long, _ = sort_pieces(recording, run, least)
-            for piece in long:
+            for piece in sort_pieces(recording, run, least)[0]:
                 total += piece.samples * self._squares(cut(recording, run, piece)).mean(axis=1)
                 count += piece.samples
         self._of_all = total[:, None] / max(count, 1)
@@ -179,25 +142,23 @@ class _Chooser:
             cutoffs = np.full(3, self._params.cutoff_hz)
             return cutoffs, {"cutoff_hz": cutoffs.tolist()}
         squares = self._of_all if self._of_all is not None else self._of_run(samples)
-        found = choose_cutoffs(squares, self._frequencies, self._rate)
-        noise = np.sqrt(noise_variance(squares, self._frequencies, self._rate))
-        cutoffs, noise = np.broadcast_to(found, 3), np.broadcast_to(noise, 3)
-        return cutoffs, {"cutoff_hz": cutoffs.tolist(), "noise": noise.tolist()}
+        taken, passed = white_noise(tuple(self._frequencies), self._rate, self._params.order)
+        noise = noise_variance(squares, taken, self._frequencies, self._rate)
+        places = choose_cutoffs(squares, noise, passed, self._params.rule)
+        cutoffs = np.broadcast_to(self._frequencies[places], 3)
+        spread = np.broadcast_to(np.sqrt(noise), 3)
+        return cutoffs, {"cutoff_hz": cutoffs.tolist(), "noise": spread.tolist()}
 
     def _of_run(self, samples: Sequence[FloatArray]) -> FloatArray:
-        sizes = [len(one) for one in samples]
-        squares = np.average([self._squares(one) for one in samples], axis=0, weights=sizes)
+        long = [one for one in samples if len(one) >= LEAST_TO_CHOOSE]
+        sizes = [len(one) for one in long]
+        squares = np.average([self._squares(one) for one in long], axis=0, weights=sizes)
         return squares if self._params.cutoff_for == "axis" else squares.mean(axis=1)[:, None]
 
     def _squares(self, samples: FloatArray) -> FloatArray:
         """Return the mean square residuals, shape (frequencies, 3)."""
-        order, rate = self._params.order, self._rate
-        return np.array(
-            [
-                np.mean((samples - low_pass(samples, cutoff, rate, order)) ** 2, axis=0)
-                for cutoff in self._frequencies.tolist()
-            ]
-        )
+        cutoffs = self._frequencies.tolist()
+        return residual_squares(samples, cutoffs, self._rate, self._params.order)
 
 
 def _by_axis(samples: FloatArray, cutoffs: FloatArray, rate: float, order: int) -> FloatArray:

@@ -21,9 +21,17 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult
-from mocapmend_algorithms.smooth.cutoffs import cutoff_grid
-from mocapmend_algorithms.smooth.quintic import LEAST, degrees_left, penalty, residuals
+from mocapmend_algorithms.smooth.spline import (
+    LEAST,
+    by_axis,
+    cutoff_grid,
+    degrees_left,
+    penalty,
+    residuals,
+)
 from mocapmend_algorithms.smooth.stretches import check_runs, smooth_runs
+
+QUINTIC = 3
 
 
 @dataclass(frozen=True)
@@ -35,7 +43,7 @@ class GcvParams:
         label="Measurement noise",
         text="Standard deviation of a measured coordinate: about so much is smoothed away. "
         "Automatic: generalised cross-validation.",
-        minimum=0.0,
+        minimum=0.001,
         maximum=1000.0,
         unit="mm",
     )
@@ -65,11 +73,11 @@ def gcv(
     Raises
     ------
     ValueError
-        If the noise is negative, or the runs are outside the recording or overlap.
+        If the noise is not positive, or the runs are outside the recording or overlap.
     """
     check_runs(recording, runs)
-    if params.noise_mm is not None and not params.noise_mm >= 0:
-        raise ValueError(f"noise_mm must be at least 0 mm, not {params.noise_mm:g}")
+    if params.noise_mm is not None and not params.noise_mm > 0:
+        raise ValueError(f"noise_mm must be above 0 mm, not {params.noise_mm:g}")
     noise = None if params.noise_mm is None else params.noise_mm / recording.mm
     return smooth_runs(
         recording,
@@ -86,19 +94,15 @@ def _smooth(
     samples: list[FloatArray], *, rate: float, noise: float | None
 ) -> tuple[list[FloatArray], dict[str, Any]]:
     grid = cutoff_grid(rate)
-    penalties = tuple(penalty(cutoff, rate) for cutoff in grid)
-    left = np.sum([degrees_left(len(one), penalties) for one in samples], axis=0)
+    penalties = tuple(penalty(cutoff, rate, QUINTIC) for cutoff in grid)
+    left = np.sum([degrees_left(len(one), penalties, QUINTIC) for one in samples], axis=0)
     squares = np.array(
-        [sum(np.sum(residuals(one, p) ** 2, axis=0) for one in samples) for p in penalties]
+        [sum(np.sum(residuals(one, p, QUINTIC) ** 2, axis=0) for one in samples) for p in penalties]
     )
     best = choose(squares, left, noise)
-    axes = range(samples[0].shape[1])
-    smoothed = [
-        np.stack([one[:, a] - residuals(one[:, [a]], penalties[best[a]])[:, 0] for a in axes], 1)
-        for one in samples
-    ]
-    spread = [float(np.sqrt(squares[best[a], a] / left[best[a]])) for a in axes]
-    return smoothed, {"cutoff_hz": [grid[best[a]] for a in axes], "noise": spread}
+    smoothed = [by_axis(one, [penalties[place] for place in best], QUINTIC) for one in samples]
+    spread = np.sqrt(squares[best, range(len(best))] / left[best])
+    return smoothed, {"cutoff_hz": [grid[place] for place in best], "noise": spread.tolist()}
 
 
 def choose(squares: FloatArray, left: FloatArray, noise: float | None) -> list[int]:
@@ -109,7 +113,7 @@ def choose(squares: FloatArray, left: FloatArray, noise: float | None) -> list[i
     squares : ndarray, shape (penalties, trajectories)
         Sums of squared residuals.
     left : ndarray, shape (penalties,)
-        Degrees of freedom that are left; see `quintic.degrees_left`.
+        Degrees of freedom that are left; see `spline.degrees_left`.
     noise : float or None
         Standard deviation of a coordinate; None for generalised cross-validation.
 

@@ -2,12 +2,14 @@
 
 The model is that of `fill.kalman`, a velocity that changes at random (white acceleration), or a
 smoother one, an acceleration that changes at random (white jerk). How fast the motion changes and
-how large the measurement noise is are both estimated: the ratio of the two is the one that makes
-the samples most likely (of the values of a grid), given that nothing is known of the first state.
+how large the measurement noise is are both estimated: the ratio of the two is the one of a grid
+that makes the samples most likely, whatever the first state (de Jong 1991, Annals of Statistics
+19(2):1073-1083).
 
-Smoothers and splines are two views of one thing: with these models the curves are a cubic and a
-quintic smoothing spline (Wahba 1978, J. R. Stat. Soc. B 40(3):364-372). What differs from `gcv` is
-how the smoothing is chosen, by likelihood instead of cross-validation.
+Where every frame is seen, what the Rauch-Tung-Striebel smoother of these models makes of the
+samples is a cubic and a quintic smoothing spline (Wahba 1978; see `spline`), and they are worked
+out as such. What differs from `gcv` is how much is smoothed: by likelihood instead of
+cross-validation.
 """
 
 from collections.abc import Sequence
@@ -22,14 +24,17 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult
-from mocapmend_algorithms.smooth.cutoffs import cutoff_grid
+from mocapmend_algorithms.smooth.spline import (
+    LEAST,
+    by_axis,
+    cutoff_grid,
+    penalty,
+    roughness,
+)
 from mocapmend_algorithms.smooth.stretches import check_runs, smooth_runs
-from mocapmend_algorithms.smooth.walk_equations import walk
 
-LEAST = 8
 STATES = {"velocity": 2, "acceleration": 3}
-TINY = 1e-12
-"""Of the spread of a coordinate: less noise than that cannot be told from none."""
+SMALLEST = np.finfo(np.float64).tiny
 
 
 @dataclass(frozen=True)
@@ -37,10 +42,10 @@ class KalmanSmootherParams:
     """Parameters of `kalman_smoother`."""
 
     model: Literal["velocity", "acceleration"] = option(
-        "acceleration",
+        "velocity",
         label="Constant",
         text="What is carried from frame to frame: the velocity, or the acceleration too, which "
-        "makes a smoother curve.",
+        "makes a smoother curve and rounds off more of an impact.",
     )
     noise_mm: float | None = option(
         None,
@@ -99,66 +104,41 @@ def kalman_smoother(
     )
 
 
-def noise_ratio(cutoff: float, rate: float, states: int) -> float:
-    """Return the r / q of a smoother that halves the power at a frequency.
-
-    Far from the ends, a wave of angular frequency w (per frame) is multiplied by about
-    1 / (1 + r / q w^(2 states)).
-
-    Parameters
-    ----------
-    cutoff, rate : float
-        In Hz.
-    states : int
-        2 with a velocity, 3 with an acceleration.
-    """
-    return float((np.sqrt(2) - 1) / (2 * np.pi * cutoff / rate) ** (2 * states))
-
-
 def _smooth(
     samples: list[FloatArray], *, rate: float, states: int, noise: float | None
 ) -> tuple[list[FloatArray], dict[str, Any]]:
     grid = cutoff_grid(rate)
-    ratios = [noise_ratio(cutoff, rate, states) for cutoff in grid]
-    figures = [_figures(samples, states, ratio) for ratio in ratios]
-    freedom = sum(len(one) for one in samples) - states * len(samples)
-    # The sum that the curve minimises, in units of the measurement variance.
-    squares = np.array([square for square, _ in figures])
-    determinants = np.array([determinant for _, determinant in figures])[:, None]
+    ratios = np.array([penalty(cutoff, rate, states) for cutoff in grid])
+    rough, determinants = _likelihood(samples, ratios.tolist(), states)
+    freedom = sum(len(one) - states for one in samples)
+    # Variance of the measurement, per axis, where it is not known.
+    variance = ratios[:, None] * rough / freedom
     if noise is None:
-        floor = max((TINY * np.ptp(one, axis=0) ** 2).max() for one in samples)
-        unlikely = freedom * np.log(np.maximum(squares, max(floor, np.finfo(float).tiny)))
+        unlikely = freedom * np.log(np.maximum(rough, SMALLEST))
     else:
-        unlikely = squares / noise**2
-    best = np.argmin(unlikely + determinants, axis=0)
-    smoothed = [
-        np.stack(
-            [
-                walk(len(one), states, ratios[place]).positions(one[:, [axis]])[:, 0]
-                for axis, place in enumerate(best.tolist())
-            ],
-            axis=1,
-        )
-        for one in samples
-    ]
-    found = np.sqrt(np.maximum(squares[best, range(best.size)], 0) / freedom).tolist()
-    cutoffs = [grid[place] for place in best.tolist()]
+        unlikely = ratios[:, None] * rough / noise**2 - freedom * np.log(ratios)[:, None]
+    best = np.argmin(unlikely + determinants[:, None], axis=0).tolist()
+    smoothed = [by_axis(one, ratios[best].tolist(), states) for one in samples]
+    found = np.sqrt(variance[best, range(len(best))]).tolist()
     return smoothed, {
-        "cutoff_hz": cutoffs,
-        "noise": found if noise is None else [noise] * len(cutoffs),
+        "cutoff_hz": [grid[place] for place in best],
+        "noise": found if noise is None else [noise] * len(best),
     }
 
 
-def _figures(samples: Sequence[FloatArray], states: int, ratio: float) -> tuple[FloatArray, float]:
-    """Return the sum that the curve minimises, per axis, and the log-determinant of its odds.
+def _likelihood(
+    samples: Sequence[FloatArray], ratios: Sequence[float], states: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return the roughness of all pieces, (ratios, axes), and their log-determinants, (ratios,).
 
-    With S = sum of v^2 + (r / q) sum of w' Q^-1 w, minus twice the log-likelihood is, but for a
-    constant, S / r + (frames - states) log(r / ratio) + log |N| + frames log(ratio), with N the
-    matrix of `walk_equations`.
+    With q the density of the process noise and r / q the ratio, minus twice the log-likelihood is,
+    but for a constant, roughness / q + degrees of freedom x log q + log-determinant.
     """
-    square, determinant = np.zeros(samples[0].shape[1]), 0.0
-    for one in samples:
-        solver = walk(len(one), states, ratio)
-        square += np.sum(one * (one - solver.positions(one)), axis=0)
-        determinant += solver.log_determinant + states * np.log(ratio)
-    return square, determinant
+    rough = np.zeros((len(ratios), samples[0].shape[1]))
+    determinants = np.zeros(len(ratios))
+    for row, ratio in enumerate(ratios):
+        for one in samples:
+            square, determinant = roughness(one, ratio, states)
+            rough[row] += square
+            determinants[row] += determinant
+    return rough, determinants

@@ -1,81 +1,91 @@
-"""Residual analysis: the cut-off frequency at which a low-pass filter removes noise alone.
+"""Residual analysis: how much noise there is, and which cut-off frequency suits it.
 
 W09 = Winter 2009, Biomechanics and Motor Control of Human Movement, 4th ed., section 3.4.4.3. The
 residual R(f) is the root mean square of what a filter with cut-off f takes away. Above the
-bandwidth of the motion, what it takes is noise, and R falls along a line; where this line meets
-0 Hz is the noise that is in the samples, and the cut-off is where R equals it: there, the motion
-that is lost is as large as the noise that is let through.
+bandwidth of the motion, what it takes is noise alone, and R falls along a line that W09 draws by
+eye; where it meets 0 Hz is the noise that is in the samples. Here the line is the one that white
+noise follows, which is known for each filter, and it is fitted where it is `NOISE_ALONE`.
 
-W09 draws the line by eye through R. Here it is fitted to the square of R, as that of white noise
-falls on a straight line and R itself only nearly does.
+Two rules choose the cut-off from the noise. W09's takes the one whose residual equals the noise:
+there, the motion that is lost is as large as the noise that is let through. The other takes the
+one with the least expected error (Mallows 1973, Technometrics 15(4):661-675), which is higher:
+Yu et al. 1999, J. Appl. Biomech. 15(3):318-329, found W09's too low, above all at high frame rates.
 """
 
-from collections.abc import Callable
+from typing import Literal
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
 
-LINE = 0.4, 0.75
-"""Between these shares of the Nyquist frequency, what the filter takes counts as noise alone."""
-CANDIDATES = 48
+NOISE_ALONE = 0.5, 0.9
+"""Shares of the Nyquist frequency between which what a filter takes counts as noise."""
+PER_DECADE = 20
 LOWEST_HZ = 0.5
+HIGHEST = 0.95
+"""Of the Nyquist frequency."""
 
-Residuals = Callable[[float], FloatArray]
-"""Tells the mean square residual of each trajectory for a cut-off in Hz."""
+Rule = Literal["least-error", "winter"]
 
 
 def candidates(rate: float) -> FloatArray:
-    """Return the cut-offs to try in Hz, ascending: evenly, up to the end of the line."""
-    highest = LINE[1] * rate / 2
-    return np.linspace(min(LOWEST_HZ, highest / CANDIDATES), highest, CANDIDATES)
+    """Return the cut-offs to try in Hz, ascending evenly by their logarithm."""
+    highest = HIGHEST * rate / 2
+    lowest = min(LOWEST_HZ, highest / 4)
+    return np.geomspace(lowest, highest, int(PER_DECADE * np.log10(highest / lowest)) + 2)
 
 
-def choose_cutoffs(squares: FloatArray, frequencies: FloatArray, rate: float) -> FloatArray:
-    """Choose cut-offs from residuals.
+def noise_variance(
+    squares: FloatArray, taken: FloatArray, frequencies: FloatArray, rate: float
+) -> FloatArray:
+    """Estimate how much white noise is in trajectories.
 
     Parameters
     ----------
     squares : ndarray, shape (frequencies, trajectories)
         Mean square of the residual.
+    taken : ndarray, shape (frequencies,)
+        Share of the power of white noise that the residual has.
     frequencies : ndarray, shape (frequencies,)
-        The cut-offs in Hz, ascending; see `candidates`.
+        The cut-offs in Hz; see `candidates`.
     rate : float
         Frames per second (Hz).
 
     Returns
     -------
-    cutoffs : ndarray, shape (trajectories,)
-        In Hz, interpolated between the candidates.
+    ndarray, shape (trajectories,)
+        Variance, in the square of the trajectories' unit.
     """
-    noise = noise_variance(squares, frequencies, rate)
-    return np.array(
-        [
-            _crossing(frequencies, square, level)
-            for square, level in zip(squares.T, noise, strict=True)
-        ]
-    )
+    low, high = (share * rate / 2 for share in NOISE_ALONE)
+    alone = (frequencies >= low) & (frequencies <= high)
+    return np.asarray(np.mean(squares[alone] / taken[alone, None], axis=0), dtype=np.float64)
 
 
-def noise_variance(squares: FloatArray, frequencies: FloatArray, rate: float) -> FloatArray:
-    """Return where the line of the noise meets 0 Hz, of each trajectory; see `choose_cutoffs`."""
-    on_line = frequencies >= LINE[0] * rate / 2
-    _, height = np.polyfit(frequencies[on_line], squares[on_line], 1)
-    return np.asarray(np.maximum(height, 0.0), dtype=np.float64)
+def choose_cutoffs(
+    squares: FloatArray, noise: FloatArray, passed: FloatArray, rule: Rule
+) -> list[int]:
+    """Choose the cut-off of each trajectory.
 
+    Parameters
+    ----------
+    squares : ndarray, shape (frequencies, trajectories)
+        Mean square of the residual, for ascending cut-offs.
+    noise : ndarray, shape (trajectories,)
+        Variance of the noise.
+    passed : ndarray, shape (frequencies,)
+        Mean response of the filter over all frequencies: the share of a sample's own noise that
+        stays in its smoothed value.
+    rule : str
+        See the module.
 
-def _crossing(frequencies: FloatArray, square: FloatArray, level: float) -> float:
-    """Return the first frequency at which the residual is down to the level."""
-    below = np.flatnonzero(square <= level)
-    if not below.size:
-        return float(frequencies[-1])
-    place = int(below[0])
-    if place == 0:
-        return float(frequencies[0])
-    return float(
-        np.interp(
-            level,
-            [square[place], square[place - 1]],
-            [frequencies[place], frequencies[place - 1]],
-        )
-    )
+    Returns
+    -------
+    list of int
+        Places in the frequencies; the highest, where no residual is as small as the noise.
+    """
+    if rule == "least-error":
+        places = np.argmin(squares + 2 * noise * passed[:, None], axis=0)
+    else:
+        small = squares <= noise
+        places = np.where(small.any(axis=0), small.argmax(axis=0), len(squares) - 1)
+    return [int(place) for place in places]

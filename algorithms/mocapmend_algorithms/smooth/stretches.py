@@ -103,6 +103,7 @@ def smooth_runs(
     method: str,
     params: Any,
     least: int,
+    least_longest: int = 0,
     smooth: Smooth,
     progress: Progress,
 ) -> SmoothResult:
@@ -120,6 +121,8 @@ def smooth_runs(
         Its parameters.
     least : int
         Fewest samples on end that it can smooth.
+    least_longest : int
+        Fewest samples on end in the longest piece of a run, for what is chosen by it.
     smooth : callable
         See `Smooth`.
     progress : Progress
@@ -133,7 +136,7 @@ def smooth_runs(
     untouched: list[Untouched] = []
     for number, run in enumerate(runs):
         progress(number / len(runs))
-        long, left = sort_pieces(recording, run, least)
+        long, left = sort_pieces(recording, run, least, least_longest)
         untouched += left
         if long:
             done.append(_smooth_run(recording, run, long, smooth))
@@ -141,7 +144,9 @@ def smooth_runs(
     return SmoothResult(method, asdict(params), tuple(done), tuple(untouched))
 
 
-def sort_pieces(recording: Recording, run: Run, least: int) -> tuple[list[Piece], list[Untouched]]:
+def sort_pieces(
+    recording: Recording, run: Run, least: int, least_longest: int = 0
+) -> tuple[list[Piece], list[Untouched]]:
     """Break a run and say which of its pieces are too short.
 
     Parameters
@@ -150,8 +155,8 @@ def sort_pieces(recording: Recording, run: Run, least: int) -> tuple[list[Piece]
         What is shown.
     run : Run
         The run.
-    least : int
-        Fewest samples on end that can be smoothed.
+    least, least_longest : int
+        See `smooth_runs`.
 
     Returns
     -------
@@ -164,6 +169,8 @@ def sort_pieces(recording: Recording, run: Run, least: int) -> tuple[list[Piece]
     found = list(pieces(recording.present[:, run.marker], run, context))
     if not found:
         return [], [Untouched(run, "There are no samples.")]
+    if max(piece.samples for piece in found) < least_longest:
+        least = least_longest
     short = [
         Untouched(
             Run(run.marker, piece.start, piece.stop),
