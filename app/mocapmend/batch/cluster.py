@@ -130,6 +130,7 @@ def _connect(address: str) -> "tuple[Client, tuple[str, ...]]":
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
+            _check_address(address)
             client = distributed.Client(
                 address, timeout=CONNECT_S, set_as_default=False, name="mocapmend-batch"
             )
@@ -140,6 +141,16 @@ def _connect(address: str) -> "tuple[Client, tuple[str, ...]]":
                 "Check the address and that the scheduler runs, as in tcp://HOST:8786.",
             ) from None
     return client, tuple(dict.fromkeys(str(item.message) for item in caught))
+
+
+def _check_address(address: str) -> None:
+    """Refuse what cannot be connected to: a client that has tried cannot be closed."""
+    from distributed.comm import resolve_address
+    from distributed.security import Security
+
+    secure = resolve_address(address).startswith("tls:")
+    if secure and Security().get_connection_args("client")["ssl_context"] is None:
+        raise ValueError("TLS needs certificates, which Dask's configuration names")
 
 
 def _require_workers(client: "Client", address: str) -> None:
