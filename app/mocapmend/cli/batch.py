@@ -138,8 +138,9 @@ def _work(batch: Batch, arguments: argparse.Namespace, wish: Wish, console: Cons
     with cluster.connected(arguments.scheduler, batch.order) as crew:
         for warning in crew.warnings:
             console.warn(warning)
+        workers = f"{common.count(crew.size, 'worker')} of {arguments.scheduler}"
         watcher.run(crew)
-        return f"{common.count(crew.size, 'worker')} of {arguments.scheduler}"
+        return workers
 
 
 class _Watcher:
