@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from batch_trials import write_trial
 
+from mocapmend.batch import running
 from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.cli import main
 from mocapmend.plan import Plan, write_plan
@@ -195,6 +196,14 @@ def test_another_plan_does_all_again_and_the_same_in_other_words_none(run: Run, 
     assert code == 0
     assert set(states(done).values()) == {"repaired"}
     assert all(row["figures"]["filled"] == 1 for row in done["files"])
+
+
+def test_another_version_of_the_program_does_all_again(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run()
+    monkeypatch.setattr(running, "__version__", "0.0.1")
+    assert set(states(run()[1]).values()) == {"repaired"}
 
 
 def test_a_report_that_is_asked_for_later_is_made(run: Run, out: Path) -> None:

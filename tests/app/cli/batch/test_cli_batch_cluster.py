@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import cloudpickle
 import pytest
 from batch_trials import write_trial
 
 from mocapmend.batch import cluster
+from mocapmend.batch.remote import introduce
 from mocapmend.cli import batch as cli_batch
 
 Json = Callable[..., tuple[int, Any]]
@@ -144,3 +146,32 @@ def test_without_the_extra(
     code, done = run_json("batch", trials, "--plan", plan, "-o", out, "--scheduler", "tcp://h:1")
     assert code == 1
     assert "mocapmend[cluster]" in done["error"]["todo"]
+
+
+def test_the_program_is_loaded_without_the_library_and_without_qt() -> None:
+    code = """
+import sys
+import mocapmend.cli.batch
+print(*(name for name in sys.modules if name.split(".")[0] in {names}))
+"""
+    names = {"PySide6", "pyqtgraph", "distributed", "dask"}
+    done = subprocess.run(
+        [sys.executable, "-c", code.format(names=names)], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == []
+
+
+def test_a_worker_without_the_program_can_say_so(tmp_path: Path) -> None:
+    question = cloudpickle.dumps(introduce())
+    code = """
+import pickle, sys
+sys.modules["mocapmend"] = None
+print(pickle.loads(bytes.fromhex(sys.argv[1]))([sys.argv[2], sys.argv[2] + "/none"]))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code, question.hex(), tmp_path],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.strip() == str(("", f"{tmp_path}/none"))
