@@ -31,6 +31,10 @@ CONNECT_S = 15.0
 """How long the scheduler may take to answer."""
 FIRST_WORKER_S = 60.0
 """How long a cluster that grows with its work may take to start its first worker."""
+FETCH_S = 5.0
+"""How long to wait for a result before the user is told again how things stand."""
+QUIET = ("distributed", "distributed.client", "tornado", "tornado.application")
+"""The loggers whose words are not for the user."""
 RUN = ".mocapmend-batch-{}"
 
 
@@ -73,8 +77,13 @@ class Cluster:
         while given and not watcher.stopping:
             with suppress(queue.Empty):
                 future = ended.get(timeout=TICK_S)
-                task, _ = given.pop(future.key)
-                watcher.finished(task, _result(future, task))
+                task, _ = given[future.key]
+                finished = _result(future, task)
+                if finished is None:
+                    future.add_done_callback(ended.put)
+                else:
+                    del given[future.key]
+                    watcher.finished(task, finished)
             watcher.tick()
         self._client.cancel([future for _, future in given.values()])
 
@@ -124,12 +133,12 @@ def _connect(address: str) -> "tuple[Client, tuple[str, ...]]":
             address,
             "Install it to use a cluster: pip install 'mocapmend[cluster]'.",
         ) from None
-    # What it has to say comes as errors here, and in its own words nobody understands it.
-    for name in ("distributed", "tornado"):
+    for name in QUIET:
         logging.getLogger(name).setLevel(logging.CRITICAL)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
+            _check_address(address)
             client = distributed.Client(
                 address, timeout=CONNECT_S, set_as_default=False, name="mocapmend-batch"
             )
@@ -140,6 +149,16 @@ def _connect(address: str) -> "tuple[Client, tuple[str, ...]]":
                 "Check the address and that the scheduler runs, as in tcp://HOST:8786.",
             ) from None
     return client, tuple(dict.fromkeys(str(item.message) for item in caught))
+
+
+def _check_address(address: str) -> None:
+    """Refuse what cannot be connected to: a client that has tried cannot be closed."""
+    from distributed.comm import resolve_address
+    from distributed.security import Security
+
+    secure = resolve_address(address).startswith("tls:")
+    if secure and Security().get_connection_args("client")["ssl_context"] is None:
+        raise ValueError("TLS needs certificates, which Dask's configuration names")
 
 
 def _require_workers(client: "Client", address: str) -> None:
@@ -181,18 +200,24 @@ def _require_able(client: "Client", folders: Sequence[Path]) -> None:
             )
 
 
-def _result(future: "Future", task: Task) -> Finished:
-    """Return what a worker has said, or what has become of it."""
-    if future.status == "finished":
-        with suppress(Exception):
-            said = future.result(timeout=CONNECT_S)
-            if isinstance(said, Finished):
-                return said
-    error = future.exception() if future.status == "error" else None
-    how = f" ({type(error).__name__})" if error is not None else ""
+def _result(future: "Future", task: Task) -> Finished | None:
+    """Return what a worker has said, or what has become of it; None where it is to be made again.
+
+    A result is lost when its worker dies of another file before it was fetched.
+    """
+    error: BaseException | None = None
+    try:
+        said = future.result(timeout=FETCH_S)
+    except TimeoutError:
+        return None
+    except Exception as raised:  # noqa: BLE001 - what a worker or the scheduler has died of
+        error = raised
+    else:
+        if isinstance(said, Finished):
+            return said
     problem = Problem(
-        f"The worker that repaired this file was lost{how}.",
+        f"The worker at this file, or the scheduler, was lost ({type(error).__name__}).",
         str(task.request.file),
-        "Look at the scheduler's log, or leave this file out.",
+        "Look at the logs of the scheduler and its workers, or leave this file out.",
     )
     return Finished(task.failed(problem))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePath
 
+from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.batch.results import Problem
 from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, WRITTEN, same_file
@@ -47,7 +48,8 @@ def find(
     folder : Path
         Where to look. Links to files are followed, those to folders are not.
     out : Path
-        Where the copies go. What is there is no input, where it lies within the folder.
+        Where the copies go. What is there is no input, where it lies within the folder, nor is
+        what another batch has written there.
     pattern : str
         What the names of the files look like, in upper or lower case.
     recursive : bool
@@ -112,7 +114,7 @@ def _walk(
         folders[:] = [
             name
             for name in folders
-            if recursive and not _hidden(name, "") and os.path.realpath(here / name) != own
+            if recursive and not _hidden(name, "") and not _is_output(here / name, own)
         ]
         for name in names:
             path = here / name
@@ -128,6 +130,11 @@ def _walk(
             f"The folder cannot be read: {error.strerror}.", str(where), "Change its permissions."
         )
         yield where.relative_to(folder).as_posix(), where, problem
+
+
+def _is_output(folder: Path, own: str) -> bool:
+    """Say whether copies are in a folder: this batch's, or those of another one."""
+    return os.path.realpath(folder) == own or (folder / LEDGER).exists()
 
 
 def _hidden(name: str, pattern: str) -> bool:

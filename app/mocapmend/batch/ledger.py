@@ -73,33 +73,31 @@ class Ledger:
 
     def begin(self, file: str) -> None:
         """Note that a file's copy is going to be written."""
-        self._write({KEY: FORMAT, "begun": file})
+        self._append(_encode({"begun": file}))
 
     def done(self, finished: Finished, key: str) -> None:
         """Note that a file is done."""
         seen = {"input": finished.input, "output": finished.output}
-        self._write(
-            {
-                KEY: FORMAT,
-                "done": finished.row.file,
-                "key": key,
-                **{name: None if item is None else asdict(item) for name, item in seen.items()},
-                "row": finished.row.as_json(),
-            }
-        )
+        line = {
+            "done": finished.row.file,
+            "key": key,
+            **{name: None if item is None else asdict(item) for name, item in seen.items()},
+            "row": finished.row.as_json(),
+        }
+        self._append(_encode(line))
+        try:
+            os.fsync(self._stream.fileno())
+        except OSError as error:
+            raise self._cannot(error) from error
 
     def close(self) -> None:
         """Give the file back."""
         self._stream.close()
 
-    def _write(self, data: Mapping[str, Any]) -> None:
-        self._append(json.dumps(data).encode("ascii"))
-
     def _append(self, line: bytes) -> None:
         try:
             self._stream.write(line + b"\n")
             self._stream.flush()
-            os.fsync(self._stream.fileno())
         except OSError as error:
             raise self._cannot(error) from error
 
@@ -109,6 +107,10 @@ class Ledger:
             str(self._path.parent),
             "Choose another one.",
         )
+
+
+def _encode(data: Mapping[str, Any]) -> bytes:
+    return json.dumps({KEY: FORMAT, **data}).encode("ascii")
 
 
 def _decode(raw: bytes) -> Iterator[tuple[str, Entry | None]]:

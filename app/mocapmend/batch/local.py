@@ -6,6 +6,7 @@ dies, nobody can tell which file it was at, and all the others are lost too.
 
 import multiprocessing
 import signal
+import sys
 import threading
 import time
 from collections import deque
@@ -24,6 +25,8 @@ from mocapmend_algorithms import Cancelled, Progress
 Do = Callable[[Task, Progress, Began], Finished]
 TICK_S = 0.2
 """How often the user is told something, and how soon a wish to stop is noticed."""
+MOST = 30 if sys.platform == "win32" else 1024
+"""Windows waits for 63 things at once, and each worker is two of them."""
 PATIENCE_S = 5.0
 """How long a worker may take to come to the end of what cannot be interrupted."""
 
@@ -40,7 +43,7 @@ class Local:
     """
 
     def __init__(self, jobs: int, work: Do = do) -> None:
-        self.size = jobs
+        self.size = min(jobs, MOST)
         self._do = work
         self._context = multiprocessing.get_context("spawn")
 

@@ -55,7 +55,8 @@ def attempt(task: Task, run: Path) -> Finished:
     Cancelled
         When the client does not want it any more: then the folder has gone.
     """
-    if _attempts(task, run) > MOST_ATTEMPTS:
+    counter = run / hashlib.sha256(task.file.encode("utf-8", "surrogateescape")).hexdigest()
+    if _count(counter) > MOST_ATTEMPTS:
         problem = Problem(
             f"{MOST_ATTEMPTS} workers have died while they repaired this file; they may have run "
             "out of memory.",
@@ -75,14 +76,17 @@ def attempt(task: Task, run: Path) -> Finished:
             if not run.is_dir():
                 raise Cancelled
 
-    return do(task, progress, lambda step: None)
+    finished = do(task, progress, lambda step: None)
+    # A result can be lost with its worker, who may die of another file: to make it again is no
+    # attempt more.
+    counter.unlink(missing_ok=True)
+    return finished
 
 
-def _attempts(task: Task, run: Path) -> int:
-    """Count this attempt, and return how many there were."""
-    path = run / hashlib.sha256(task.file.encode("utf-8", "surrogateescape")).hexdigest()
+def _count(counter: Path) -> int:
+    """Count an attempt, and return how many have not ended."""
     try:
-        with path.open("ab") as stream:
+        with counter.open("ab") as stream:
             stream.write(b".")
             return stream.tell()
     except OSError:

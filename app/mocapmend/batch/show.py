@@ -3,7 +3,6 @@
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 
 from mocapmend.batch.results import Finished, Row
 from mocapmend.batch.work import Task
@@ -13,7 +12,6 @@ SMALLEST = 100_000
 """Bytes that every file counts at least: starting takes its time too."""
 
 
-@dataclass
 class Tracker:
     """How far a batch is.
 
@@ -23,17 +21,21 @@ class Tracker:
         What is done.
     clock : callable
         Seconds that go by.
+
+    Attributes
+    ----------
+    done : int
+        How many tasks have ended.
     """
 
-    tasks: Sequence[Task]
-    clock: Callable[[], float] = time.monotonic
-    done: int = 0
-    _current: dict[str, str] = field(default_factory=dict)
-    _weight_done: float = 0.0
-
-    def __post_init__(self) -> None:
-        self._start = self.clock()
-        self._weight = sum(map(_weight, self.tasks))
+    def __init__(self, tasks: Sequence[Task], clock: Callable[[], float] = time.monotonic) -> None:
+        self.done = 0
+        self._files = len(tasks)
+        self._clock = clock
+        self._start = clock()
+        self._weight = sum(map(_weight, tasks))
+        self._weight_done = 0.0
+        self._current: dict[str, str] = {}
 
     def at(self, task: Task, step: str, fraction: float) -> None:
         """Note how far a task is."""
@@ -54,7 +56,7 @@ class Tracker:
         """How long the rest is going to take, by the size of the files; NaN while nobody knows."""
         if not self._weight_done:
             return math.nan
-        spent = self.clock() - self._start
+        spent = self._clock() - self._start
         return spent * (self._weight - self._weight_done) / self._weight_done
 
     def line(self, workers: int) -> str:
@@ -62,7 +64,7 @@ class Tracker:
         left = self.seconds_left
         about = "" if math.isnan(left) else f", about {duration(left)} left"
         names = ", ".join(list(self._current.values())[:workers])
-        return f"{self.done} of {count(len(self.tasks), 'file')}{about}: {names}"
+        return f"{self.done} of {count(self._files, 'file')}{about}: {names}"
 
 
 def duration(seconds: float) -> str:

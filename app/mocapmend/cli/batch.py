@@ -34,7 +34,6 @@ from mocapmend.plan import Plan, read_plan
 from mocapmend.report import method_text
 
 DONE, FAILED, INTERRUPTED = 0, 1, 130
-MOST_JOBS = 1024
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -131,15 +130,15 @@ def _work(batch: Batch, arguments: argparse.Namespace, wish: Wish, console: Cons
         return "no worker"
     watcher = _Watcher(batch, wish, console)
     if arguments.scheduler is None:
-        jobs = min(arguments.jobs or cores(), len(batch.tasks))
-        local = Local(jobs)
+        local = Local(min(arguments.jobs or cores(), len(batch.tasks)))
         watcher.run(local)
-        return f"{jobs} process{'' if jobs == 1 else 'es'}"
+        return f"{local.size} process{'' if local.size == 1 else 'es'}"
     with cluster.connected(arguments.scheduler, batch.order) as crew:
         for warning in crew.warnings:
             console.warn(warning)
+        workers = f"{common.count(crew.size, 'worker')} of {arguments.scheduler}"
         watcher.run(crew)
-        return f"{common.count(crew.size, 'worker')} of {arguments.scheduler}"
+        return workers
 
 
 class _Watcher:
@@ -251,6 +250,6 @@ def _jobs(text: str) -> int:
         number = int(text)
     except ValueError:
         number = 0
-    if not 1 <= number <= MOST_JOBS:
+    if number < 1:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number of processes")
     return number

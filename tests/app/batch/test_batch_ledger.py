@@ -1,0 +1,123 @@
+"""The ledger survives being cut, and files are known by their bytes."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+from batch_trials import write_trial
+
+from mocapmend.batch.ledger import NAME, Ledger
+from mocapmend.batch.results import Figures, Finished, Reason, Row, Seen
+from mocapmend.batch.seeing import is_still, see
+from mocapmend.errors import MocapmendError
+from mocapmend.files.sidecar import sidecar_path
+
+FIGURES = Figures(
+    frames=10, markers=2, rate_hz=100.0, gaps=3, filled=1, left_open=2, samples_missing=9,
+    samples_filled=2, reasons=(Reason(2, 7, "too long"),), expected_worst_mm=1.5,
+    warnings=("odd",),
+)  # fmt: skip
+ROW = Row(file="s/ö.c3d", state="repaired", figures=FIGURES, output="s/ö.c3d", seconds=1.25)
+FINISHED = Finished(ROW, Seen(1, 2, "a" * 64), Seen(3, 4, "b" * 64, "c" * 64))
+
+
+def test_what_is_done_is_known_again(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    ledger.begin("s/ö.c3d")
+    ledger.begin("other.c3d")
+    ledger.done(FINISHED, "key")
+    ledger.close()
+    again = Ledger(tmp_path)
+    again.close()
+    assert set(again.entries) == {"s/ö.c3d", "other.c3d"}
+    assert again.entries["other.c3d"] is None
+    entry = again.entries["s/ö.c3d"]
+    assert entry is not None
+    assert (entry.key, entry.row) == ("key", ROW)
+    assert (entry.input, entry.output) == (FINISHED.input, FINISHED.output)
+
+
+def test_a_file_that_was_begun_again_is_not_done(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    ledger.done(FINISHED, "key")
+    ledger.begin(ROW.file)
+    ledger.close()
+    again = Ledger(tmp_path)
+    again.close()
+    assert again.entries == {ROW.file: None}
+
+
+def test_every_cut_of_the_last_line_leaves_the_lines_before(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    ledger.begin("first.c3d")
+    ledger.done(FINISHED, "key")
+    ledger.close()
+    raw = (tmp_path / NAME).read_bytes()
+    start = raw.index(b"\n") + 1
+    for cut in range(start, len(raw) - 1, 7):
+        (tmp_path / NAME).write_bytes(raw[:cut])
+        cut_off = Ledger(tmp_path)
+        assert list(cut_off.entries) == ["first.c3d"]
+        cut_off.begin("next.c3d")
+        cut_off.close()
+        after = Ledger(tmp_path)
+        after.close()
+        assert list(after.entries) == ["first.c3d", "next.c3d"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        b"\xff\xfe", b"[]", b"null", b"{}", b'{"mocapmend_batch": 2, "begun": "x"}',
+        b'{"mocapmend_batch": 1}', b'{"mocapmend_batch": 1, "done": "x", "row": {}}',
+        b"[" * 100_000,
+    ],
+)  # fmt: skip
+def test_lines_of_others_are_passed_over(tmp_path: Path, line: bytes) -> None:
+    (tmp_path / NAME).write_bytes(line + b"\n")
+    ledger = Ledger(tmp_path)
+    ledger.close()
+    assert ledger.entries == {}
+
+
+def test_rows_that_lack_something_are_passed_over(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    ledger.done(FINISHED, "key")
+    ledger.close()
+    whole = json.loads((tmp_path / NAME).read_text())
+    for broken in (
+        {**whole, "row": {**whole["row"], "figures": None}},
+        {**whole, "row": {**whole["row"], "more": 1}},
+        {**whole, "input": None},
+        {key: value for key, value in whole.items() if key != "key"},
+    ):
+        (tmp_path / NAME).write_text(json.dumps(broken) + "\n")
+        again = Ledger(tmp_path)
+        again.close()
+        assert again.entries == {}
+
+
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / NAME).mkdir()
+    with pytest.raises(MocapmendError, match="cannot be written"):
+        Ledger(tmp_path)
+
+
+def test_a_file_is_the_same_by_its_bytes(tmp_path: Path) -> None:
+    path = write_trial(tmp_path / "a.c3d")
+    seen = see(path)
+    assert is_still(path, seen)
+    os.utime(path, (1, 1))
+    assert is_still(path, seen)
+    raw = path.read_bytes()
+    path.write_bytes(raw[:-1] + b"x")
+    os.utime(path, (1, 1))
+    assert not is_still(path, seen)
+    path.write_bytes(raw)
+    assert is_still(path, seen)
+    sidecar_path(path).write_text("{}")
+    assert not is_still(path, seen)
+    assert is_still(path, see(path))
+    path.unlink()
+    assert not is_still(path, seen)

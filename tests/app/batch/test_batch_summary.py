@@ -1,0 +1,125 @@
+"""The summary: a table that says what the rows say, and a page that needs nothing else."""
+
+import csv
+import re
+from dataclasses import replace
+from html import unescape
+from pathlib import Path
+
+import pytest
+
+from mocapmend.batch.results import Figures, Problem, Reason, Row
+from mocapmend.batch.summary_files import COLUMNS, PAGE, TABLE, write_summaries
+from mocapmend.batch.summary_page import Facts, contents
+from mocapmend.report.tables import MOST_ROWS
+
+FIGURES = Figures(
+    frames=100, markers=5, rate_hz=100.0, gaps=4, filled=1, left_open=3, samples_missing=40,
+    samples_filled=10, reasons=(Reason(2, 20, "it is long"), Reason(1, 10, "it is odd")),
+    expected_median_mm=1.0, expected_worst_mm=2.5, worst_place="A, frames 1-10",
+    tracked_before=92.0, tracked_after=94.0, warnings=("Up is a guess.",),
+)  # fmt: skip
+ROWS = [
+    Row(file="<b>&.c3d", state="repaired", figures=FIGURES, output="<b>&.c3d", seconds=1.5),
+    Row(
+        file='s 1/ö "x", y:z.c3d',
+        state="unchanged",
+        figures=replace(FIGURES, samples_filled=0, tracked_before=50.0, tracked_after=None),
+        output='s 1/ö "x", y:z.c3d',
+        report='s 1/ö "x", y:z.c3d.html',
+    ),
+    Row(file="bad.c3d", state="failed", problem=Problem("Is bad.", "/x", "Mend it.")),
+    Row(file="later.c3d", state="waiting"),
+    Row(file="odd\udce9.c3d", state="repaired", figures=FIGURES, output="odd\udce9.c3d"),
+]
+
+
+@pytest.fixture
+def facts() -> Facts:
+    return Facts(
+        folder=Path("in"),
+        out=Path("out"),
+        plan=Path("plan.json"),
+        method="linear",
+        limits="none",
+        seconds=12.0,
+        workers="2 processes",
+    )
+
+
+@pytest.fixture
+def page(tmp_path: Path, facts: Facts) -> str:
+    write_summaries(ROWS, facts, tmp_path)
+    return (tmp_path / PAGE).read_text("utf-8")
+
+
+def test_the_table_says_what_the_rows_say(tmp_path: Path, facts: Facts) -> None:
+    write_summaries(ROWS, facts, tmp_path)
+    with (tmp_path / TABLE).open(encoding="utf-8", newline="") as stream:
+        lines = list(csv.DictReader(stream))
+    assert tuple(lines[0]) == COLUMNS
+    assert len(lines) == len(ROWS)
+    by_file = {line["file"]: line for line in lines}
+    first = by_file["<b>&.c3d"]
+    assert (first["frames"], first["left_open"], first["samples_filled"]) == ("100", "3", "10")
+    assert float(first["expected_worst_mm"]) == 2.5
+    assert first["reasons"] == "2 gaps, such as: it is long; 1 gap: it is odd"
+    assert by_file[ROWS[1].file]["tracked_after_percent"] == ""
+    assert (lines[0]["file"], lines[0]["error"], lines[0]["todo"]) == (
+        "bad.c3d", "Is bad.", "Mend it.",
+    )  # fmt: skip
+    assert lines[1]["state"] == "waiting"
+    assert "odd\\udce9.c3d" in by_file
+
+
+def test_the_page_needs_nothing_else_and_knows_light_and_dark(page: str) -> None:
+    assert "prefers-color-scheme: dark" in page
+    assert not re.search(r"(src=|url\(|@import|https?://|<script)", page)
+    assert "<b>&" not in page
+    assert "&lt;b&gt;&amp;.c3d" in page
+
+
+def test_the_page_leads_to_the_files(page: str) -> None:
+    links = {unescape(link) for link in re.findall(r'<a href="(\./[^"]*)"', page)}
+    assert links == {
+        "./%3Cb%3E%26.c3d",
+        "./s%201/%C3%B6%20%22x%22%2C%20y%3Az.c3d",
+        "./s%201/%C3%B6%20%22x%22%2C%20y%3Az.c3d.html",
+        "./odd%E9.c3d",
+    }
+
+
+def test_the_page_says_first_what_needs_attention(page: str) -> None:
+    places = [page.index(name) for name in ("Is bad.", "it is long", "Tracking success of")]
+    assert places == sorted(places)
+    text = unescape(re.sub(r"<[^>]+>", " ", page))
+    assert "5: 2 repaired now, 1 repaired by an earlier run, 1 failed, 1 not done yet" in text
+    assert "12.0 s with 2 processes; one by one 1.5 s" in text
+    assert "y:z.c3d and 2 other files: Up is a guess." in text
+    assert "share of the files (%)" in text
+
+
+def test_the_chart_is_a_distribution(facts: Facts) -> None:
+    rows = [
+        Row(file=str(n), state="repaired", figures=replace(
+            FIGURES, tracked_before=float(value), tracked_after=100.0,
+        )) for n, value in enumerate((80, 60, 100))
+    ]  # fmt: skip
+    sections = {section.anchor: section for section in contents(rows, facts).sections}
+    (chart,) = sections["success"].parts[1].charts
+    before = next(line for line in chart.lines if line.style == "before")
+    heights = [y for _, y in before.pieces[0]]
+    assert heights == sorted(heights, reverse=True)
+    assert len(heights) == 3
+    assert chart.x_ticks[-1].text == "100"
+    assert "success" not in {s.anchor for s in contents(rows[:1], facts).sections}
+
+
+def test_long_tables_are_cut_and_say_so(facts: Facts, tmp_path: Path) -> None:
+    rows = [replace(ROWS[0], file=f"{n}.c3d") for n in range(MOST_ROWS + 5)]
+    sections = {section.anchor: section for section in contents(rows, facts).sections}
+    table = sections["files"].parts[1]
+    assert len(table.rows) == len(table.links) == MOST_ROWS
+    assert "summary.csv" in table.note
+    write_summaries(rows, facts, tmp_path)
+    assert len((tmp_path / TABLE).read_text().splitlines()) == MOST_ROWS + 6
