@@ -46,6 +46,8 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.smooth import registry as smoothers
+from mocapmend_algorithms.smooth.contract import SmoothResult
 from mocapmend_algorithms.sparse.part_sets import going_on, train_parts
 from mocapmend_algorithms.sparse.part_training import PartSettings
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
@@ -184,6 +186,25 @@ def fill_anyway(
     with training.usable(params) as found:
         function = registry.method(method_id).function
         return fill_hiding(recording, gaps, function, found, progress)
+
+
+def smooth(
+    recording: Recording, runs: Sequence[Gap], method_id: str, params: Any, progress: Progress
+) -> SmoothResult:
+    """Smooth runs of a recording as it is shown, fills included.
+
+    Raises
+    ------
+    MocapmendError
+        If the parameters do not fit the recording.
+    """
+    try:
+        return smoothers.smoother(method_id).function(recording, runs, params, progress)
+    except ValueError as error:
+        raise MocapmendError(
+            f"This cannot be smoothed: {error}.".replace("..", "."),
+            todo="Choose other parameters, or another method.",
+        ) from error
 
 
 class FillJob(NamedTuple):
