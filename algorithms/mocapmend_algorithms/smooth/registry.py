@@ -71,7 +71,7 @@ _ALL = (
 )
 
 SMOOTHERS: dict[str, Smoother] = {smoother.id: smoother for smoother in _ALL}
-SUGGESTED = "butterworth"
+SUGGESTED = "gcv"
 """Where the user has named none."""
 
 
