@@ -41,8 +41,6 @@ class Facts:
         How long this run took.
     workers : str
         Who did the work.
-    interrupted : bool
-        Whether the run was stopped before its end.
     """
 
     folder: Path
@@ -52,7 +50,6 @@ class Facts:
     limits: str
     seconds: float
     workers: str
-    interrupted: bool = False
 
 
 def contents(rows: Sequence[Row], facts: Facts) -> Content:
@@ -159,7 +156,7 @@ def _files(rows: Sequence[Row]) -> Iterator[Part]:
     yield Table(
         (
             Column("File", "name"),
-            Column("Result", "text"),
+            Column("Result", "name"),
             Column("Frames"),
             Column("Markers"),
             Column("Gaps"),
@@ -173,7 +170,7 @@ def _files(rows: Sequence[Row]) -> Iterator[Part]:
             Column("Markers tracked before (%)"),
             Column("after (%)"),
             Column("Seconds"),
-            Column("Report", "text"),
+            Column("Report"),
         ),
         tuple(map(_row, shown)),
         _cut(len(rows)),
