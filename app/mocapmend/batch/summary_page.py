@@ -107,12 +107,27 @@ def _reasons(rows: Sequence[Row]) -> Iterator[Part]:
     listed = [(row.file, reason) for row in rows if row.figures for reason in row.figures.reasons]
     if not listed:
         return
-    yield Text("Reasons that differ in their numbers alone are one line of a file.", dim=True)
+    yield Text("Reasons that differ in their numbers alone are one.", dim=True)
+    kinds: dict[str, list[Reason]] = {}
+    for _, reason in listed:
+        kinds.setdefault(reason.kind, []).append(reason)
+    ordered = sorted(kinds.values(), key=lambda alike: -sum(reason.gaps for reason in alike))
+    yield Table(
+        (Column("Gaps"), Column("Samples"), Column("Files"), Column("Why", "text")),
+        tuple(map(_kind, ordered[:MOST_ROWS])),
+    )
+    yield Text("File by file:")
     yield Table(
         (Column("File", "name"), Column("Gaps"), Column("Samples"), Column("Why", "text")),
         tuple((file, *_reason(reason)) for file, reason in listed[:MOST_ROWS]),
         _cut(len(listed)),
     )
+
+
+def _kind(alike: Sequence[Reason]) -> tuple[str, ...]:
+    gaps, samples = sum(each.gaps for each in alike), sum(each.samples for each in alike)
+    all_of_them = Reason(gaps, samples, alike[0].example)
+    return str(gaps), str(samples), str(len(alike)), _reason(all_of_them)[-1]
 
 
 def _reason(reason: Reason) -> tuple[str, str, str]:
