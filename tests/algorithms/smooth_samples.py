@@ -14,6 +14,7 @@ VARIANTS = [
     ("savgol", {}),
     ("savgol", {"window_ms": "200", "order": "2"}),
     ("gcv", {}),
+    ("gcv", {"keep_impacts": "false"}),
     ("gcv", {"noise_mm": "2"}),
     ("kalman-smoother", {}),
     ("kalman-smoother", {"model": "acceleration"}),

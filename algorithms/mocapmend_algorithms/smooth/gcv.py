@@ -5,6 +5,8 @@ differentiation, Advances in Engineering Software 8(2):104-113. How much is smoo
 generalised cross-validation (Craven and Wahba 1979; W86's mode 2), or by the noise of the samples
 where it is known (the unbiased risk; W86's mode 3).
 
+W86 smooths as much everywhere; by default, impacts are smoothed less here (see `impacts`).
+
 W86 calls 1 / (1 + p w^6) the spline's response: that of a Butterworth filter of order 3 that goes
 forwards and backwards. The cut-off that is told is where this halves the power.
 """
@@ -21,6 +23,7 @@ from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult
+from mocapmend_algorithms.smooth.impacts import lighter_at_impacts
 from mocapmend_algorithms.smooth.spline import (
     LEAST,
     by_axis,
@@ -47,6 +50,12 @@ class GcvParams:
         maximum=1000.0,
         unit="mm",
     )
+    keep_impacts: bool = option(
+        True,  # noqa: FBT003 - the default of a form
+        label="Keep impacts",
+        text="Smooths less where the motion is much faster than elsewhere, as at a foot strike or "
+        "a kick. Off: as much everywhere, as Woltring's program does.",
+    )
 
 
 def gcv(
@@ -68,7 +77,8 @@ def gcv(
     Returns
     -------
     SmoothResult
-        `chosen` holds `cutoff_hz` and the estimated `noise` per axis.
+        `chosen` holds `cutoff_hz` and the estimated `noise` per axis, and with `keep_impacts`
+        the `share_at_impacts`, from 0 to 1, of samples that are smoothed less.
 
     Raises
     ------
@@ -85,13 +95,13 @@ def gcv(
         method="gcv",
         params=params,
         least=LEAST,
-        smooth=partial(_smooth, rate=recording.rate, noise=noise),
+        smooth=partial(_smooth, rate=recording.rate, noise=noise, keep_impacts=params.keep_impacts),
         progress=progress,
     )
 
 
 def _smooth(
-    samples: list[FloatArray], *, rate: float, noise: float | None
+    samples: list[FloatArray], *, rate: float, noise: float | None, keep_impacts: bool
 ) -> tuple[list[FloatArray], dict[str, Any]]:
     grid = cutoff_grid(rate)
     penalties = tuple(penalty(cutoff, rate, QUINTIC) for cutoff in grid)
@@ -100,9 +110,16 @@ def _smooth(
         [sum(np.sum(residuals(one, p, QUINTIC) ** 2, axis=0) for one in samples) for p in penalties]
     )
     best = choose(squares, left, noise)
-    smoothed = [by_axis(one, [penalties[place] for place in best], QUINTIC) for one in samples]
     spread = np.sqrt(squares[best, range(len(best))] / left[best])
-    return smoothed, {"cutoff_hz": [grid[place] for place in best], "noise": spread.tolist()}
+    cutoffs = [grid[place] for place in best]
+    chosen: dict[str, Any] = {"cutoff_hz": cutoffs, "noise": spread.tolist()}
+    if not keep_impacts:
+        chosen_penalties = [penalties[place] for place in best]
+        return [by_axis(one, chosen_penalties, QUINTIC) for one in samples], chosen
+    both = [lighter_at_impacts(one, np.array(cutoffs), spread, rate, QUINTIC) for one in samples]
+    shares, sizes = [share for _, share in both], [len(one) for one in samples]
+    chosen["share_at_impacts"] = float(np.average(shares, weights=sizes))
+    return [curve for curve, _ in both], chosen
 
 
 def choose(squares: FloatArray, left: FloatArray, noise: float | None) -> list[int]:

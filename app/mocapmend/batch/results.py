@@ -1,11 +1,13 @@
 """What a batch says about each of its files: plain data that travels between processes."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from mocapmend.errors import MocapmendError
 
+NUMBER = re.compile(r"\d+(\.\d+)?")
 State = Literal["repaired", "unchanged", "failed", "waiting"]
 
 
@@ -24,6 +26,11 @@ class Reason:
     gaps: int
     samples: int
     example: str
+
+    @property
+    def kind(self) -> str:
+        """The reason without its numbers."""
+        return NUMBER.sub("#", self.example)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -41,8 +41,6 @@ class Facts:
         How long this run took.
     workers : str
         Who did the work.
-    interrupted : bool
-        Whether the run was stopped before its end.
     """
 
     folder: Path
@@ -52,7 +50,6 @@ class Facts:
     limits: str
     seconds: float
     workers: str
-    interrupted: bool = False
 
 
 def contents(rows: Sequence[Row], facts: Facts) -> Content:
@@ -110,12 +107,27 @@ def _reasons(rows: Sequence[Row]) -> Iterator[Part]:
     listed = [(row.file, reason) for row in rows if row.figures for reason in row.figures.reasons]
     if not listed:
         return
-    yield Text("Reasons that differ in their numbers alone are one line of a file.", dim=True)
+    yield Text("Reasons that differ in their numbers alone are one.", dim=True)
+    kinds: dict[str, list[Reason]] = {}
+    for _, reason in listed:
+        kinds.setdefault(reason.kind, []).append(reason)
+    ordered = sorted(kinds.values(), key=lambda alike: -sum(reason.gaps for reason in alike))
+    yield Table(
+        (Column("Gaps"), Column("Samples"), Column("Files"), Column("Why", "text")),
+        tuple(map(_kind, ordered[:MOST_ROWS])),
+    )
+    yield Text("File by file:")
     yield Table(
         (Column("File", "name"), Column("Gaps"), Column("Samples"), Column("Why", "text")),
         tuple((file, *_reason(reason)) for file, reason in listed[:MOST_ROWS]),
         _cut(len(listed)),
     )
+
+
+def _kind(alike: Sequence[Reason]) -> tuple[str, ...]:
+    gaps, samples = sum(each.gaps for each in alike), sum(each.samples for each in alike)
+    all_of_them = Reason(gaps, samples, alike[0].example)
+    return str(gaps), str(samples), str(len(alike)), _reason(all_of_them)[-1]
 
 
 def _reason(reason: Reason) -> tuple[str, str, str]:
@@ -159,7 +171,7 @@ def _files(rows: Sequence[Row]) -> Iterator[Part]:
     yield Table(
         (
             Column("File", "name"),
-            Column("Result", "text"),
+            Column("Result", "name"),
             Column("Frames"),
             Column("Markers"),
             Column("Gaps"),
@@ -173,7 +185,7 @@ def _files(rows: Sequence[Row]) -> Iterator[Part]:
             Column("Markers tracked before (%)"),
             Column("after (%)"),
             Column("Seconds"),
-            Column("Report", "text"),
+            Column("Report"),
         ),
         tuple(map(_row, shown)),
         _cut(len(rows)),

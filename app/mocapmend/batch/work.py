@@ -1,6 +1,5 @@
 """One file of a batch: what a worker does, wherever it runs."""
 
-import re
 import time
 import traceback
 from collections.abc import Sequence
@@ -10,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from mocapmend import repairing
-from mocapmend.batch.results import Figures, Finished, Problem, Reason, Row
+from mocapmend.batch.results import NUMBER, Figures, Finished, Problem, Reason, Row
 from mocapmend.batch.seeing import see, stamp_of
 from mocapmend.errors import MocapmendError
 from mocapmend.files.opening import changed_on_disk
@@ -20,7 +19,6 @@ from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import Unfilled
 from mocapmend_algorithms.metrics import success_curves, tracked
 
-NUMBER = re.compile(r"\d+(\.\d+)?")
 MOST_REASONS = 10
 
 

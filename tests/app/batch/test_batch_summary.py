@@ -99,6 +99,23 @@ def test_the_page_says_first_what_needs_attention(page: str) -> None:
     assert "share of the files (%)" in text
 
 
+def test_reasons_are_counted_over_all_files(facts: Facts) -> None:
+    reasons = (
+        (Reason(1, 4, "4 frames is long"), Reason(2, 9, "5.5 frames is long")),
+        (Reason(2, 2, "it is odd"),),
+    )
+    rows = [
+        Row(file=str(n), state="repaired", figures=replace(FIGURES, reasons=each))
+        for n, each in enumerate(reasons)
+    ]
+    sections = {section.anchor: section for section in contents(rows, facts).sections}
+    _, all_files, _, each_file = sections["open"].parts
+    assert all_files.rows == (
+        ("3", "13", "2", "such as: 4 frames is long"), ("2", "2", "1", "such as: it is odd"),
+    )  # fmt: skip
+    assert len(each_file.rows) == 3
+
+
 def test_the_chart_is_a_distribution(facts: Facts) -> None:
     rows = [
         Row(file=str(n), state="repaired", figures=replace(

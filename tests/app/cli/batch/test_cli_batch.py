@@ -270,6 +270,20 @@ def test_a_copy_that_somebody_has_worked_on_is_kept(run: Run, out: Path) -> None
     assert run("--again")[0] == 0
 
 
+def test_what_somebody_has_made_of_a_file_that_failed_is_kept(
+    run: Run, trials: Path, out: Path
+) -> None:
+    bad = trials / "bad.c3d"
+    bad.write_text("nothing")
+    assert run()[0] == 1
+    (out / "bad.c3d").write_text("work of an evening")
+    write_trial(bad)
+    code, done = run()
+    assert code == 1
+    assert "which no batch has written" in problem(done, "bad.c3d")["what"]
+    assert (out / "bad.c3d").read_text() == "work of an evening"
+
+
 def test_out_inside_the_folder_is_no_input(
     run_json: Json, trials: Path, plan: Path, in_turn: None
 ) -> None:
