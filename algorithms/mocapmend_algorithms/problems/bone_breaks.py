@@ -25,8 +25,10 @@ MOST_BROKEN = 0.6
 """Of the distances of a marker: where more are broken, it is this marker that is wrong."""
 LARGEST_SHARE = 0.2
 """Of the recording: what is so for longer is no exception."""
-LONGEST_S = 1.0
-"""Of a piece between two steps."""
+SHORTEST, LONGEST_S = 3, 1.0
+"""Frames, and seconds, of a piece between two steps; shorter ones are spikes."""
+CLEARLY = 2.0
+"""Times the smallest break: the steps at the ends of such a piece."""
 SEEN_FROM_MATE, SOME_BROKEN = 0.15, 0.5
 """Of such a step, what a mate's distance changes by; and the share of the mates that it does."""
 ABRUPT = 0.5
@@ -125,7 +127,9 @@ def _excursions(
     points = recording.points[:, marker] * recording.mm
     longest = round(LONGEST_S * recording.rate)
     found = []
-    for piece in excursions(points, recording.rate, params.least_mm, longest):
+    for piece in excursions(points, recording.rate, CLEARLY * params.least_mm, longest):
+        if piece.stop - piece.start < SHORTEST:
+            continue
         frames = np.array([piece.start - 1, piece.start, piece.stop - 1, piece.stop])
         around = recording.points[frames][:, mates.markers] * recording.mm
         apart = around - points[frames, None]
