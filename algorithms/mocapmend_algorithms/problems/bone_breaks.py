@@ -29,7 +29,7 @@ SHORTEST, LONGEST_S = 3, 1.0
 """Frames, and seconds, of a piece between two steps; shorter ones are spikes."""
 CLEARLY = 2.0
 """Times the smallest break: the steps at the ends of such a piece."""
-SEEN_FROM_MATE, SOME_BROKEN = 0.15, 0.5
+SEEN_FROM_MATE, SOME_BROKEN = 0.1, 0.3
 """Of such a step, what a mate's distance changes by; and the share of the mates that it does."""
 ABRUPT = 0.5
 """Of the break, the part that comes within two frames: a joint that bends takes longer."""
@@ -156,12 +156,14 @@ def _runs_of(recording: Recording, marker: int, wrong: BoolArray, size: FloatArr
 
 
 def _abrupt(present: BoolArray, size: FloatArray, start: int, stop: int) -> bool:
-    """Whether the break comes or goes within two frames."""
+    """Whether the break comes and goes within two frames, as far as the marker is seen there."""
     least = ABRUPT * float(np.median(size[start:stop]))
-    before, after = max(0, start - 2), min(len(size) - 1, stop + 1)
-    came = start > 0 and bool(present[before]) and size[start] - size[before] >= least
-    went = stop < len(size) and bool(present[after]) and size[stop - 1] - size[after] >= least
-    return bool(came or went)
+    before, after = start - 2, stop + 1
+    seen_before = before >= 0 and bool(present[before])
+    seen_after = after < len(size) and bool(present[after])
+    comes = not seen_before or size[start] - size[before] >= least
+    goes = not seen_after or size[stop - 1] - size[after] >= least
+    return bool(comes and goes and (seen_before or seen_after))
 
 
 def _described(
