@@ -25,9 +25,11 @@ MOST_BROKEN = 0.6
 """Of the distances of a marker: where more are broken, it is this marker that is wrong."""
 LARGEST_SHARE = 0.2
 """Of the recording: what is so for longer is no exception."""
-LONGEST_S = 1.0
-"""Of a piece between two steps."""
-SEEN_FROM_MATE, SOME_BROKEN = 0.15, 0.5
+SHORTEST, LONGEST_S = 3, 1.0
+"""Frames, and seconds, of a piece between two steps; shorter ones are spikes."""
+CLEARLY = 2.0
+"""Times the smallest break: the steps at the ends of such a piece."""
+SEEN_FROM_MATE, SOME_BROKEN = 0.1, 0.3
 """Of such a step, what a mate's distance changes by; and the share of the mates that it does."""
 ABRUPT = 0.5
 """Of the break, the part that comes within two frames: a joint that bends takes longer."""
@@ -125,7 +127,9 @@ def _excursions(
     points = recording.points[:, marker] * recording.mm
     longest = round(LONGEST_S * recording.rate)
     found = []
-    for piece in excursions(points, recording.rate, params.least_mm, longest):
+    for piece in excursions(points, recording.rate, CLEARLY * params.least_mm, longest):
+        if piece.stop - piece.start < SHORTEST:
+            continue
         frames = np.array([piece.start - 1, piece.start, piece.stop - 1, piece.stop])
         around = recording.points[frames][:, mates.markers] * recording.mm
         apart = around - points[frames, None]
@@ -152,12 +156,14 @@ def _runs_of(recording: Recording, marker: int, wrong: BoolArray, size: FloatArr
 
 
 def _abrupt(present: BoolArray, size: FloatArray, start: int, stop: int) -> bool:
-    """Whether the break comes or goes within two frames."""
+    """Whether the break comes and goes within two frames, as far as the marker is seen there."""
     least = ABRUPT * float(np.median(size[start:stop]))
-    before, after = max(0, start - 2), min(len(size) - 1, stop + 1)
-    came = start > 0 and bool(present[before]) and size[start] - size[before] >= least
-    went = stop < len(size) and bool(present[after]) and size[stop - 1] - size[after] >= least
-    return bool(came or went)
+    before, after = start - 2, stop + 1
+    seen_before = before >= 0 and bool(present[before])
+    seen_after = after < len(size) and bool(present[after])
+    comes = not seen_before or size[start] - size[before] >= least
+    goes = not seen_after or size[stop - 1] - size[after] >= least
+    return bool(comes and goes and (seen_before or seen_after))
 
 
 def _described(

@@ -166,16 +166,15 @@ def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolAr
     # Beside a gap it cannot be told.
     into = np.where(np.isnan(into), fits.first, into)
     back = np.where(np.isnan(back), fits.last, back)
-    sharp: BoolArray = np.greater_equal(np.maximum(into, back), SHARP * fits.away)
-    sharp &= np.minimum(into - SHARP * fits.first, back - SHARP * fits.last) >= 0.0
-    return sharp
+    enough: BoolArray = np.maximum(into, back) >= SHARP * fits.away
+    return enough & (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
 
 
 def _beside_gaps(points: FloatArray) -> BoolArray:
     """Mark the frames where a seen stretch begins or has just ended, and those next to them."""
     seen = np.concatenate(([False], ~np.isnan(points[:, 0]), [False]))
-    beside = np.diff(seen.astype(np.int8)) != 0
-    near = beside.copy()
+    beside = seen[1:] != seen[:-1]
+    near: BoolArray = beside.copy()
     near[1:] |= beside[:-1]
     near[:-1] |= beside[1:]
     return near
