@@ -160,11 +160,10 @@ def smoothed(before: Repaired, result: SmoothResult) -> Repaired:
     """Return a recording with runs smoothed."""
     runs, source = dict(before.smoothed), before.layers.source
     for done in result.runs:
-        parameters = {**result.params, **done.chosen}
-        change = done.rms * source.recording.mm
-        runs[done.run] = SmoothedRun(*source.place(done.run), result.method, parameters, change)
-    made = _with(before, {done.run: done.values for done in result.runs})
-    return replace(before, **made, smoothed=runs)
+        made = result.method, result.params, done.chosen
+        runs[done.run] = smoothed_record(source, done.run, *made, done.rms)
+    written = _with(before, {done.run: done.values for done in result.runs})
+    return replace(before, **written, smoothed=runs)
 
 
 class _Written(TypedDict):
@@ -216,6 +215,19 @@ def record(
         expected_error_mm=patch.expected_error * recording.mm,
         r90_mm=patch.typical_r90 * recording.mm,
     )
+
+
+def smoothed_record(
+    source: Source,
+    run: Gap,
+    method_id: str,
+    params: Mapping[str, Any],
+    chosen: Mapping[str, Any],
+    rms: float,
+) -> SmoothedRun:
+    """Describe a smoothed run for the repair record; `rms` is in the recording's unit."""
+    change = rms * source.recording.mm
+    return SmoothedRun(*source.place(run), method_id, dict(params), dict(chosen), change)
 
 
 def kept_gap(source: Source, gap: Gap, *, never: bool, reason: str) -> KeptGap:

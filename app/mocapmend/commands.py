@@ -29,6 +29,8 @@ class EditSamples(QUndoCommand):
     ----------
     edits : tuple of Edit
         What it writes.
+    unsmoothed : list of Edit
+        Those of them that take smoothing off what is to be changed.
     correction : Correction or None
         What it exchanges and sets aside.
     cleared : int
@@ -46,7 +48,12 @@ class EditSamples(QUndoCommand):
         # The document has the stack that this is on. If they kept each other, it would be left to
         # Python's garbage collector to delete both, in an order at which Qt may crash.
         self._document = ref(document)
-        self.edits = tuple(edits)
+        runs = [edit.gap for edit in edits]
+        if correction is not None:
+            runs += correction.runs
+        # The last layer goes first, and comes back with undoing.
+        self.unsmoothed = document.without_smoothing(runs) if document.smoothed else []
+        self.edits = (*self.unsmoothed, *edits)
         self._after = Contents.of(self.edits)
         self._before = document.contents(self._after.gaps, self._after.places)
         self.correction = correction

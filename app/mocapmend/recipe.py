@@ -18,6 +18,7 @@ from mocapmend.files import (
     MovedRun,
     RepairRecord,
     SetAside,
+    SmoothedRun,
     Source,
 )
 from mocapmend.files.atomic import write_bytes
@@ -36,7 +37,17 @@ from mocapmend_algorithms import Progress, no_progress
 KEY = "mocapmend_recipe"
 MOST_BYTES = 50_000_000
 Entry = TypeVar("Entry", SetAside, MovedRun)
-EDITS = ("fill", "reopen", "keep open", "free", "set aside", "believe", "move", "move back")
+EDITS = (
+    "fill",
+    "reopen",
+    "keep open",
+    "free",
+    "set aside",
+    "believe",
+    "move",
+    "move back",
+    "smooth",
+)
 
 
 @dataclass(frozen=True)
@@ -63,6 +74,8 @@ class Recipe:
         Samples that are exchanged between markers from now on.
     moved_back : tuple of MovedRun
         Those that the file had exchanged before, and that are where they were stored.
+    smoothed : tuple of SmoothedRun
+        What is smoothed at last.
     program : str
         The program that wrote the recipe, with its version.
     """
@@ -76,6 +89,7 @@ class Recipe:
     believed: tuple[SetAside, ...] = ()
     moved: tuple[MovedRun, ...] = ()
     moved_back: tuple[MovedRun, ...] = ()
+    smoothed: tuple[SmoothedRun, ...] = ()
     program: str = PROGRAM
 
     @property
@@ -83,7 +97,7 @@ class Recipe:
         """All edits of each kind, in the order of `EDITS`."""
         return (
             *(self.fills, self.reopened, self.kept_open, self.freed),
-            *(self.set_aside, self.believed, self.moved, self.moved_back),
+            *(self.set_aside, self.believed, self.moved, self.moved_back, self.smoothed),
         )
 
 
@@ -119,6 +133,7 @@ def recipe_of(
         believed=_without(former.set_aside, corrections.set_aside),
         moved=_without(corrections.moved, former.moved),
         moved_back=_without(former.moved, corrections.moved),
+        smoothed=tuple(item for item in corrections.smoothed if item not in former.smoothed),
     )
 
 
@@ -186,6 +201,7 @@ def _decode(raw: bytes) -> Recipe:
         kept_gaps(of_kind["keep open"]),
         kept_gaps(of_kind["free"]),
         *(new.set_aside, former.set_aside, new.moved, former.moved),
+        Corrections.from_lists({"smoothed": of_kind["smooth"]}).smoothed,
         program_name(data.get("program")),
     )
 

@@ -18,6 +18,7 @@ _SMOOTHED: Kinds = {
     **PLACE,
     "method": (str,),
     "parameters": (dict,),
+    "chosen": (dict,),
     "rms_change_mm": (int, float, type(None)),
 }
 _RENAMED: Kinds = {"point": (int,), "former": (str,), "marker": (str,)}
@@ -104,13 +105,16 @@ class SmoothedRun(RecordedRun):
     method : str
         Method id.
     parameters : dict
-        Its parameters, and what it chose by itself.
+        Its parameters.
+    chosen : dict
+        What it chose by itself, as cut-off frequencies.
     rms_change_mm : float
         How far samples were moved; NaN where unknown.
     """
 
     method: str
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    chosen: Mapping[str, Any] = field(default_factory=dict)
     rms_change_mm: float = math.nan
 
     def as_json(self) -> dict[str, Any]:
@@ -127,8 +131,8 @@ class SmoothedRun(RecordedRun):
             If it is none.
         """
         values = values_of(data, _SMOOTHED, "a run that was smoothed")
-        known = values["parameters"].items()
-        values["parameters"] = {k: parameter(v, (str, int, float)) for k, v in known}
+        for key in ("parameters", "chosen"):
+            values[key] = {k: parameter(v, (str, int, float)) for k, v in values[key].items()}
         change = values["rms_change_mm"]
         return cls(**values | {"rms_change_mm": math.nan if change is None else float(change)})
 

@@ -79,15 +79,21 @@ def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> list[QRectF]
 
 
 def paint_markers(shot: Shot) -> None:
-    """Paint measured markers as circles, filled ones as squares and bad ones as crosses."""
+    """Paint markers as circles, filled ones as squares and bad ones as crosses."""
     states = shot.document.state[shot.view.frame]
     drawn = np.isfinite(shot.pixels[:, 0])
 
-    measured, filled, bad = (
+    measured, smoothed, filled, bad = (
         shot.pixels[drawn & (states == state)]
-        for state in (SampleState.MEASURED, SampleState.FILLED, SampleState.BAD)
+        for state in (
+            SampleState.MEASURED,
+            SampleState.SMOOTHED,
+            SampleState.FILLED,
+            SampleState.BAD,
+        )
     )
     shot.dots(measured, shot.theme.marker, 6.0)
+    shot.dots(smoothed, shot.theme.state_colour(SampleState.SMOOTHED), 6.0)
     ink = shot.theme.state_colour(SampleState.FILLED)
     shot.dots(filled, ink, 6.5, Qt.PenCapStyle.SquareCap)
     shot.pen(shot.theme.state_colour(SampleState.BAD), 2.0)
