@@ -16,6 +16,7 @@ VARIANTS = [
     ("gcv", {}),
     ("gcv", {"keep_impacts": "false"}),
     ("gcv", {"noise_mm": "2"}),
+    ("gcv", {"cutoff_hz": "6"}),
     ("kalman-smoother", {}),
     ("kalman-smoother", {"model": "acceleration"}),
     ("kalman-smoother", {"noise_mm": "2"}),

@@ -33,9 +33,11 @@ def test_impacts_are_kept(rate, noise):
     (even,) = smooth_with(("gcv", EVEN), recording, runs).runs
     struck = np.abs(np.arange(len(points)) / rate % 1.0 - 0.765) < 0.05
     left = [rms(done.values[struck] - clean[struck, 0]) for done in (kept, even)]
-    assert left[0] <= left[1]
+    # At 100 Hz a fall of 30 ms is three frames: there is little to go by.
+    assert left[0] < (0.4 if rate > 200 else 0.96) * left[1]
+    assert rms(kept.values - clean[:, 0]) < 0.97 * rms(even.values - clean[:, 0])
     assert kept.chosen["cutoff_hz"] == even.chosen["cutoff_hz"]
-    assert 0 <= kept.chosen["share_at_impacts"] < 0.5
+    assert 0 < kept.chosen["share_at_impacts"] < 0.1
     assert "share_at_impacts" not in even.chosen
 
 
