@@ -101,8 +101,8 @@ def test_the_page_says_first_what_needs_attention(page: str) -> None:
 
 def test_reasons_are_counted_over_all_files(facts: Facts) -> None:
     reasons = (
-        (Reason(1, 4, "4 frames is long"), Reason(2, 9, "5.5 frames is long")),
-        (Reason(2, 2, "it is odd"),),
+        (Reason(1, 4, "4 frames is long"),),
+        (Reason(2, 9, "5.5 frames is long"), Reason(2, 2, "it is odd")),
     )
     rows = [
         Row(file=str(n), state="repaired", figures=replace(FIGURES, reasons=each))
