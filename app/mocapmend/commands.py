@@ -6,6 +6,7 @@ from weakref import ref
 import numpy as np
 from PySide6.QtGui import QUndoCommand
 
+from mocapmend.believed import Correction
 from mocapmend.document import Document
 from mocapmend.edits import Contents, Edit
 
@@ -21,16 +22,26 @@ class EditSamples(QUndoCommand):
         What the runs shall hold.
     text : str
         What the user reads in the menu and in the history.
+    correction : Correction, optional
+        What is exchanged or set aside after that.
 
     Attributes
     ----------
     edits : tuple of Edit
         What it writes.
+    correction : Correction or None
+        What it exchanges and sets aside.
     cleared : int
         Samples that it sets missing.
     """
 
-    def __init__(self, document: Document, edits: Sequence[Edit], text: str) -> None:
+    def __init__(
+        self,
+        document: Document,
+        edits: Sequence[Edit],
+        text: str,
+        correction: Correction | None = None,
+    ) -> None:
         super().__init__(text)
         # The document has the stack that this is on. If they kept each other, it would be left to
         # Python's garbage collector to delete both, in an order at which Qt may crash.
@@ -38,17 +49,34 @@ class EditSamples(QUndoCommand):
         self.edits = tuple(edits)
         self._after = Contents.of(self.edits)
         self._before = document.contents(self._after.gaps, self._after.places)
+        self.correction = correction
+        self._bases = document.base_revision, document.base_revision
+        if correction is not None:
+            self._bases = document.base_revision, document.new_base_revision()
         self.cleared = int(np.count_nonzero(self._after.absent & ~self._before.absent))
+        if correction is not None:
+            self.cleared += sum(run.length for run in correction.doubts.come)
 
     def redo(self) -> None:
         """Write the new runs."""
-        self._write(self._after)
+        document = self._opened()
+        _write(document, self._after)
+        if self.correction is not None:
+            document.correct(self.correction, self._bases[1])
 
     def undo(self) -> None:
         """Write the old runs back."""
-        self._write(self._before)
+        document = self._opened()
+        if self.correction is not None:
+            document.correct(self.correction.inverse, self._bases[0])
+        _write(document, self._before)
 
-    def _write(self, contents: Contents) -> None:
+    def _opened(self) -> Document:
         document = self._document()
         assert document is not None
+        return document
+
+
+def _write(document: Document, contents: Contents) -> None:
+    if contents.gaps:
         document.apply(contents)

@@ -1,6 +1,7 @@
 """The open recording: the only owner and the only writer of its samples."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
@@ -8,9 +9,12 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
+from mocapmend.believed import Believed, Correction
+from mocapmend.doubts import Doubts
 from mocapmend.edits import Contents, Edit, Repair
 from mocapmend.files import Source
 from mocapmend.files.records import NEVER_FILLED
+from mocapmend.layers import Layers
 from mocapmend.names import short_names
 from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import Changed, SharedRecording
@@ -33,9 +37,10 @@ class Document(QObject):
     Repairs that the file had when it was opened are repairs here too: they can be reverted. So do
     gaps that it keeps open stay so, until they are freed.
 
-    Samples, and why the user keeps gaps open, change only through `apply`, which undo commands
-    call. Every change of samples raises `revision` and is announced by `samples_changed` with the
-    tuple of changed runs; where only reasons change, `left_open_changed` says so.
+    Samples, and why the user keeps gaps open, change only through `apply` and `correct`, which undo
+    commands call. Every change of samples raises `revision` and is announced by `samples_changed`
+    with the tuple of changed runs; where only reasons change, `left_open_changed` says so. Before
+    that `base_changed` says where the measured samples that are believed have changed.
 
     Parameters
     ----------
@@ -50,6 +55,7 @@ class Document(QObject):
     """
 
     samples_changed = Signal(tuple)
+    base_changed = Signal()
     left_open_changed = Signal()
     skeleton_changed = Signal()
 
@@ -66,6 +72,11 @@ class Document(QObject):
         self.undo_stack = QUndoStack(self)
         self.revision = 0
         self.original = source.measured
+        """The measured samples as the file has them."""
+        self._believed = Believed(source)
+        self.base_revision = 0
+        """Tells the states of `base` apart; undoing brings a former one back."""
+        self._newest_base = 0
         self._earlier = dict(_earlier_repairs(source))
         self.repairs = dict(self._earlier)
         self.left_open: dict[Gap, str] = {}
@@ -80,6 +91,7 @@ class Document(QObject):
         self._shared_file: SharedRecording | None = None
         self._shared: tuple[int, SharedRecording] | None = None
         self._shared_original: SharedRecording | None = None
+        self._shared_base: tuple[int, SharedRecording] | None = None
 
     @property
     def skeleton(self) -> Skeleton:
@@ -171,6 +183,19 @@ class Document(QObject):
         repair = self._earlier.get(gap)
         return repair is not None and self.repairs.get(gap) is repair
 
+    @property
+    def stale(self) -> list[Gap]:
+        """The gaps that were filled before what is believed changed, by marker and start.
+
+        Repairs that the file had when it was opened stay as they are.
+        """
+        base = self.base_revision
+        return sorted(
+            gap
+            for gap, repair in self.repairs.items()
+            if repair.base != base and not self.is_earlier(gap)
+        )
+
     def leave_open(self, reasons: Mapping[Gap, str]) -> None:
         """Note that a fill left gaps open, and why."""
         self.left_open |= reasons
@@ -190,11 +215,45 @@ class Document(QObject):
             self._shared = self.revision, self._shared_with(self._written, self.points)
         return self._shared[1]
 
-    def share_original(self) -> SharedRecording:
-        """Return the measured samples for a background job.
+    @property
+    def base(self) -> Recording:
+        """What fills are computed from: measured samples that are believed, where they belong.
 
-        Fills are computed from these: from measured samples alone, never from other fills.
+        After a correction it is another object.
         """
+        return self._believed.recording
+
+    @property
+    def doubts(self) -> Doubts:
+        """The runs that are set aside, with the reasons; not to be changed."""
+        return self._believed.doubts
+
+    @property
+    def layers(self) -> Layers:
+        """A snapshot of what was exchanged and set aside."""
+        return self._believed.layers
+
+    def stored(self, run: Gap) -> NDArray[np.float64]:
+        """Return what was measured in a run, bad samples included, shape (frames, 3)."""
+        return self._believed.stored(run)
+
+    def share_base(self) -> SharedRecording:
+        """Return `base` for a background job."""
+        if self.base is self.original:
+            return self.share_original()
+        if self._shared_base is None or self._shared_base[0] != self.base_revision:
+            layers = self._believed.layers
+            runs = {*self.source.repaired, *layers.touched()}
+            self._shared_base = self.base_revision, self._shared_with(runs, self.base.points)
+        return self._shared_base[1]
+
+    def new_base_revision(self) -> int:
+        """Return a number for a state of `base` that was not before."""
+        self._newest_base += 1
+        return self._newest_base
+
+    def share_original(self) -> SharedRecording:
+        """Return the measured samples as the file has them for a background job."""
         if self._shared_original is None:
             self._shared_original = self._shared_with(self.source.repaired, self.original.points)
         return self._shared_original
@@ -234,6 +293,7 @@ class Document(QObject):
     def apply(self, new: Contents) -> None:
         """Write runs of samples, and the reasons of gaps. For undo commands alone."""
         _set(self._reasons, new.gaps, new.reasons)
+        new = self._with_doubts(new)
         if np.array_equal(new.states, self.state[new.places]) and new.absent.all():
             self.left_open_changed.emit()
             return
@@ -244,16 +304,47 @@ class Document(QObject):
         self.revision += 1
         self.samples_changed.emit(new.gaps)
 
+    def correct(self, correction: Correction, revision: int) -> None:
+        """Exchange samples and set runs aside, or the like backwards. For undo commands alone.
+
+        Parameters
+        ----------
+        correction : Correction
+            What to do. None of the samples is filled, and none of the gaps shall never be.
+        revision : int
+            Of `base` after it.
+        """
+        self._believed.apply(correction)
+        self.base_revision = revision
+        frames, markers = places = places_of(correction.runs)
+        present = self.base.present[places]
+        self._samples.writable()[places] = self.base.points[places]
+        states = np.where(present, SampleState.MEASURED, SampleState.MISSING).astype(np.uint8)
+        states[self._believed.doubted[frames, markers]] = SampleState.BAD
+        self._states.write(places, states, set(markers.tolist()))
+        self._written.update(correction.runs)
+        self.left_open.clear()
+        self.revision += 1
+        self.base_changed.emit()
+        self.samples_changed.emit(correction.runs)
+
+    def _with_doubts(self, new: Contents) -> Contents:
+        """Return contents in which what is set aside is no ordinary missing sample."""
+        doubted = self._believed.doubted[new.places] & (new.states == SampleState.MISSING)
+        if not doubted.any():
+            return new
+        return replace(new, states=np.where(doubted, np.uint8(SampleState.BAD), new.states))
+
     def unsaved(self) -> Unsaved:
         """Return what may differ from the file, for saving.
 
         Measured samples that an open gap covers are not among it: the file keeps them.
         """
         frames, markers = places = places_of(self._written)
-        covered = np.isin(self.state[places], ABSENT) & self.original.present[places]
+        covered = np.isin(self.state[places], ABSENT) & self.base.present[places]
         rest = frames[~covered], markers[~covered]
         return Unsaved(
-            source=self.source,
+            layers=self.layers,
             places=rest,
             values=self._samples.current[rest],
             repairs=dict(self.repairs),

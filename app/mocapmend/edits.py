@@ -28,12 +28,15 @@ class Repair(NamedTuple):
         What was put into the gap, with its expected error.
     donors : tuple of str
         Labels of the markers that it was computed from.
+    base : int
+        Tells from which state of the measured samples; see `Document.base_revision`.
     """
 
     method: str
     params: Any
     patch: Patch
     donors: tuple[str, ...] = ()
+    base: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,14 +66,19 @@ class Edit:
 
     @classmethod
     def fill(
-        cls, patch: Patch, method: str, params: object, donors: tuple[str, ...] = ()
+        cls,
+        patch: Patch,
+        method: str,
+        params: object,
+        donors: tuple[str, ...] = (),
+        base: int = 0,
     ) -> "Edit":
         """Make the edit that puts a method's patch in its gap."""
         states = np.broadcast_to(FILLED, patch.gap.length)
-        return cls(patch.gap, patch.values, states, Repair(method, params, patch, donors))
+        return cls(patch.gap, patch.values, states, Repair(method, params, patch, donors, base))
 
     @classmethod
-    def fills(cls, result: FillResult, method: str, params: object) -> list["Edit"]:
+    def fills(cls, result: FillResult, method: str, params: object, base: int = 0) -> list["Edit"]:
         """Make the edits that put all patches of a method's result in their gaps."""
         # A view for each: ten thousand arrays of their own take long.
         filled = np.full(max((p.gap.length for p in result.patches), default=0), FILLED)
@@ -79,7 +87,7 @@ class Edit:
                 patch.gap,
                 patch.values,
                 filled[: patch.gap.length],
-                Repair(method, params, patch, result.donors(patch.gap)),
+                Repair(method, params, patch, result.donors(patch.gap), base),
             )
             for patch in result.patches
         ]

@@ -4,22 +4,24 @@ Each is a pure function (files aside) that a worker process can import. No Qt.
 """
 
 import os
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from mocapmend import report, training, user_templates
+from mocapmend.changes import Changes as Changes
+from mocapmend.changes import changes_of as changes_of
+from mocapmend.changes import kept_gap as kept_gap
+from mocapmend.changes import record as record
+from mocapmend.changes import repaired as repaired
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
     Claim,
-    KeptGap,
     Provenance,
-    RepairRecord,
-    SampleRun,
     Saved,
     Source,
     Way,
@@ -33,9 +35,10 @@ from mocapmend.shared_memory import shared_array
 from mocapmend.states import States
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill import registry
-from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
+from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
+from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import (
     Skeleton,
@@ -44,6 +47,8 @@ from mocapmend_algorithms.skeleton import (
     segments_from_distances,
     skeleton_from_distances,
 )
+from mocapmend_algorithms.smooth import registry as smoothers
+from mocapmend_algorithms.smooth.contract import SmoothResult
 from mocapmend_algorithms.sparse.part_sets import going_on, train_parts
 from mocapmend_algorithms.sparse.part_training import PartSettings
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
@@ -148,6 +153,22 @@ def _searched(recording: Recording, own: Sequence[Template], progress: Progress)
     return replace(known, segments=segments_from_distances(recording, progress))
 
 
+def problems(
+    recording: Recording,
+    skeleton: Skeleton,
+    ids: Sequence[str] | None,
+    progress: Progress,
+) -> list[BadRun]:
+    """Look for samples that are there but wrong; see `detect`.
+
+    Raises
+    ------
+    KeyError
+        If there is no detector of an id.
+    """
+    return detect(recording, skeleton, ids, progress)
+
+
 def fill(
     recording: Recording,
     gaps: Sequence[Gap],
@@ -182,6 +203,50 @@ def fill_anyway(
     with training.usable(params) as found:
         function = registry.method(method_id).function
         return fill_hiding(recording, gaps, function, found, progress)
+
+
+def smooth(
+    recording: Recording, runs: Sequence[Gap], method_id: str, params: Any, progress: Progress
+) -> SmoothResult:
+    """Smooth runs of a recording as it is shown, fills included.
+
+    Raises
+    ------
+    MocapmendError
+        If the parameters do not fit the recording.
+    """
+    try:
+        return smoothers.smoother(method_id).function(recording, runs, params, progress)
+    except ValueError as error:
+        raise MocapmendError(
+            f"This cannot be smoothed: {error}.".replace("..", "."),
+            todo="Choose other parameters, or another method.",
+        ) from error
+
+
+class FillJob(NamedTuple):
+    """Gaps that one method fills with the same parameters."""
+
+    method: str
+    params: Any
+    gaps: tuple[Gap, ...]
+
+
+def fill_each(
+    recording: Recording, jobs: Sequence[FillJob], progress: Progress
+) -> list[FillResult]:
+    """Fill gaps by several methods as `fill_anyway` does, and return a result for each job.
+
+    Raises
+    ------
+    MocapmendError
+        If a training set that the parameters name cannot be used.
+    """
+    results = []
+    for number, job in enumerate(jobs):
+        share = part(progress, number / len(jobs), (number + 1) / len(jobs))
+        results.append(fill_anyway(recording, job.gaps, job.method, job.params, share))
+    return results
 
 
 def fill_gap(
@@ -237,80 +302,6 @@ def train_sparse(
         raise training.complaint(error, "", todo) from error
     progress(1.0)
     return made
-
-
-@dataclass(frozen=True)
-class Changes:
-    """What a copy of a file has that the file has not.
-
-    Attributes
-    ----------
-    runs : tuple of SampleRun
-        The samples that change.
-    repairs : tuple of RepairRecord
-        All repairs that the copy has, earlier ones included.
-    kept_open : tuple of KeptGap
-        All gaps that are kept open in it.
-    """
-
-    runs: tuple[SampleRun, ...]
-    repairs: tuple[RepairRecord, ...]
-    kept_open: tuple[KeptGap, ...] = ()
-
-
-def changes_of(source: Source, result: FillResult, method_id: str, params: Any) -> Changes:
-    """Return what a fill changes in a file; its earlier repairs and open gaps stay."""
-    runs = [SampleRun(patch.gap.marker, patch.gap.start, patch.values) for patch in result.patches]
-    new = [
-        record(source, patch, method_id, params, result.donors(patch.gap))
-        for patch in result.patches
-    ]
-    filled = {patch.gap for patch in result.patches}
-    kept = [entry for gap, entry in source.kept_open.items() if gap not in filled]
-    return Changes(tuple(runs), (*source.repairs, *new), tuple(kept))
-
-
-def record(
-    source: Source,
-    patch: Patch,
-    method_id: str,
-    params: Any,
-    donors: tuple[str, ...] = (),
-) -> RepairRecord:
-    """Describe a repair for the repair record."""
-    recording = source.recording
-    return RepairRecord(
-        *_place(source, patch.gap),
-        method=method_id,
-        parameters=(
-            dict(params)
-            if isinstance(params, Mapping)
-            else asdict(params) | training.digests(params)
-        ),
-        donors=donors,
-        expected_error_mm=patch.expected_error * recording.mm,
-        r90_mm=patch.typical_r90 * recording.mm,
-    )
-
-
-def kept_gap(source: Source, gap: Gap, *, never: bool, reason: str) -> KeptGap:
-    """Describe a gap that is kept open for the repair record."""
-    return KeptGap(*_place(source, gap), never=never, reason=reason)
-
-
-def _place(source: Source, gap: Gap) -> tuple[str, int, int, int]:
-    """Return marker, point, first and last frame of a gap as a repair record has them."""
-    recording = source.recording
-    first, last = recording.first_frame + gap.start, recording.first_frame + gap.stop - 1
-    return recording.labels[gap.marker], source.stored_points[gap.marker] + 1, first, last
-
-
-def repaired(recording: Recording, result: FillResult) -> Recording:
-    """Return a recording with the filled samples in it."""
-    points = recording.points.copy()
-    for patch in result.patches:
-        points[patch.gap.start : patch.gap.stop, patch.gap.marker] = patch.values
-    return recording.with_points(points)
 
 
 @dataclass(frozen=True)
@@ -388,6 +379,7 @@ def export(
             changes.repairs,
             out,
             kept_open=changes.kept_open,
+            corrections=changes.corrections,
             replace_source=replace_source,
             accept_truncated=accept_truncated,
             progress=progress,
@@ -416,6 +408,7 @@ def export(
         out,
         repairs=changes.repairs,
         kept_open=changes.kept_open,
+        corrections=changes.corrections,
         replace_source=replace_source,
         accept_truncated=accept_truncated,
         progress=part(progress, 0.0, 0.3),

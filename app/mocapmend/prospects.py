@@ -1,7 +1,8 @@
 """What methods would make of the gaps: computed once and kept. No Qt.
 
-A repair is computed from measured samples alone, so that no edit makes what is kept here stale: a
-gap whose ends were moved is another gap.
+A repair is computed from measured samples alone, so that no fill makes what is kept here stale: a
+gap whose ends were moved is another gap. Where samples are exchanged or set aside, all of it is
+forgotten.
 """
 
 import math
@@ -74,6 +75,12 @@ class Prospects:
         self._known: dict[Way, dict[Gap, Preview]] = {}
         self._best: dict[Gap, Preview] = {}
         self._errors: dict[Gap, float] = {}
+
+    def clear(self) -> None:
+        """Forget all: the measured samples that are believed have changed."""
+        self._known.clear()
+        self._best.clear()
+        self._errors.clear()
 
     @property
     def errors(self) -> Mapping[Gap, float]:

@@ -1,13 +1,16 @@
 """What became of one file that was repaired by a plan. No Qt."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from mocapmend.engine import Exported, repaired
+from mocapmend.changes import Repaired, earlier, filled, smoothed
+from mocapmend.engine import Exported
 from mocapmend.files import Source
+from mocapmend.layers import Layers
 from mocapmend.prospects import Way
 from mocapmend.report import About, EditRow, Methods, RepairRow, describe, method_text, summarise
 from mocapmend.wording import count, span
@@ -16,7 +19,10 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import Method
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.problems.registry import detector
 from mocapmend_algorithms.skeleton import Skeleton
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,23 +31,40 @@ class Outcome:
 
     Attributes
     ----------
-    source : Source
-        The file as it was read.
+    layers : Layers
+        What was exchanged and set aside, by earlier repairs too.
+    fixed : tuple of BadRun
+        The bad samples that were found and put right now.
     way : Way
         The method and its parameters.
     limits : Limits
         What it was allowed to fill.
     result : FillResult
         Every gap, filled or with the reason why it is open.
+    smoothing : SmoothResult or None
+        What was smoothed after that; None without smoothing.
     exported : Exported or None
         What was written, and the proofs; None in a dry run.
     """
 
-    source: Source
+    layers: Layers
+    fixed: tuple[BadRun, ...]
     way: Way
     limits: Limits
     result: FillResult
+    smoothing: SmoothResult | None
     exported: Exported | None
+
+    @property
+    def source(self) -> Source:
+        """The file as it was read."""
+        return self.layers.source
+
+    @cached_property
+    def made(self) -> Repaired:
+        """The recording with all its repairs, layer by layer."""
+        made = filled(earlier(self.layers), self.result, *self.way)
+        return made if self.smoothing is None else smoothed(made, self.smoothing)
 
     @property
     def method(self) -> Method:
@@ -65,8 +88,7 @@ class Outcome:
     @property
     def all_repairs(self) -> tuple[RepairRow, ...]:
         """The gaps that the file's earlier repairs fill, and those that were filled now."""
-        known = zip(self.source.repaired, self.source.repairs, strict=True)
-        rows = [RepairRow.from_record(gap, record) for gap, record in known]
+        rows = [RepairRow.from_record(gap, record) for gap, record in self.layers.earlier.items()]
         return tuple(sorted([*rows, *self.repairs], key=lambda row: row.gap))
 
     @property
@@ -76,13 +98,14 @@ class Outcome:
 
     @property
     def samples_missing(self) -> int:
-        """Number of samples that were missing when the file was read."""
-        return int(np.count_nonzero(~self.source.recording.present))
+        """Number of samples that were to be filled, bad ones included."""
+        present = earlier(self.layers).recording.present
+        return int(np.count_nonzero(~present))
 
-    @cached_property
+    @property
     def after(self) -> Recording:
         """The recording with all its repairs."""
-        return repaired(self.source.recording, self.result)
+        return self.made.recording
 
     @property
     def about(self) -> About:
@@ -132,9 +155,22 @@ class Outcome:
         return describe(figures, self.about)
 
     def _edits(self) -> tuple[EditRow, ...]:
+        rows = []
+        for kind in sorted({run.kind for run in self.fixed}):
+            bad = [Gap(run.marker, run.start, run.stop) for run in self.fixed if run.kind == kind]
+            word = "set aside" if detector(kind).remedy == "missing" else "exchange"
+            cleared = sum(run.length for run in bad) if word == "set aside" else 0
+            rows.append(_row(f"{word} {count(len(bad), 'run')} ({kind})", bad, cleared=cleared))
         gaps = [row.gap for row in self.repairs]
-        if not gaps:
-            return ()
-        text = f"fill {count(len(gaps), 'gap')} ({self.way.method})"
-        markers = {gap.marker for gap in gaps}
-        return (EditRow(text, len(markers), len(gaps), self.samples_filled),)
+        if gaps:
+            text = f"fill {count(len(gaps), 'gap')} ({self.way.method})"
+            rows.append(_row(text, gaps, filled=self.samples_filled))
+        if self.smoothing is not None and self.smoothing.runs:
+            runs = [done.run for done in self.smoothing.runs]
+            text = f"smooth {count(len(runs), 'marker')} ({self.smoothing.method})"
+            rows.append(_row(text, runs))
+        return tuple(rows)
+
+
+def _row(text: str, runs: Sequence[Gap], filled: int = 0, cleared: int = 0) -> EditRow:
+    return EditRow(text, len({run.marker for run in runs}), len(runs), filled, cleared)

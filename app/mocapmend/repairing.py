@@ -7,15 +7,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mocapmend import engine, marker_choice, recipe
+from mocapmend import engine, fixing, marker_choice, recipe
+from mocapmend.changes import Repaired, earlier, filled
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, check_ending, read_recording
+from mocapmend.layers import Layers
 from mocapmend.plan import Plan
 from mocapmend.repair_outcome import Outcome
-from mocapmend_algorithms import Progress
+from mocapmend_algorithms import Gap, Progress
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.skeleton import Skeleton
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 Began = Callable[[str], None]
 """Is told the title of each step; the progress after it, from 0 to 1, is that of the step."""
@@ -56,7 +60,7 @@ class Request:
     @property
     def wants_skeleton(self) -> bool:
         """Whether the bones have to be found, which may take long."""
-        return self.report is not None
+        return self.report is not None or bool(self.plan.fix)
 
     def limits_at(self, rate: float) -> Limits:
         """Return the limits for a recording of `rate` frames per second (Hz)."""
@@ -110,9 +114,11 @@ def repair(source: Source, request: Request, progress: Progress, began: Began) -
     """
     require_repairable(source, request)
     skeleton = find_skeleton(source, request, progress, began)
-    filled = fill(source, request, progress, began)
+    layers, fixed = fix(source, skeleton, request, progress, began)
+    result = fill(layers, request, progress, began)
+    smoothing = smooth(filled(earlier(layers), result, *request.plan.way), request, progress, began)
     limits = request.limits_at(source.recording.rate)
-    done = Outcome(source, request.plan.way, limits, filled, None)
+    done = Outcome(layers, tuple(fixed), request.plan.way, limits, result, smoothing, exported=None)
     if request.out is None:
         return done
     done = replace(done, exported=export(done, request, request.out, progress, began))
@@ -155,7 +161,18 @@ def find_skeleton(
     return engine.find_skeleton(source, progress)
 
 
-def fill(source: Source, request: Request, progress: Progress, began: Began) -> FillResult:
+def fix(
+    source: Source, skeleton: Skeleton | None, request: Request, progress: Progress, began: Began
+) -> tuple[Layers, list[BadRun]]:
+    """Put right what the detectors of the plan find; all markers are looked at."""
+    layers = Layers.of(source)
+    if not request.plan.fix or skeleton is None:
+        return layers, []
+    began("Looking for bad samples")
+    return fixing.fix(layers, skeleton, request.plan.fix, progress)
+
+
+def fill(layers: Layers, request: Request, progress: Progress, began: Began) -> FillResult:
     """Fill the gaps of the markers that were asked for; account for all others too.
 
     Raises
@@ -163,12 +180,13 @@ def fill(source: Source, request: Request, progress: Progress, began: Began) -> 
     MocapmendError
         If there is no such marker, or if the method's training set cannot be used.
     """
-    never = source.never_filled
-    gaps = [gap for gap in source.open_gaps() if gap not in never]
+    source = layers.source
+    never = {gap: kept.reason for gap, kept in layers.kept_open.items() if kept.never}
+    gaps = [gap for gap in layers.open_gaps() if gap not in never]
     wanted = marker_choice.choose(source, request.markers)
     began("Filling")
     result = engine.fill(
-        source.measured,
+        layers.recording,
         [gap for gap in gaps if gap.marker in wanted],
         *request.plan.way,
         request.limits_at(source.recording.rate),
@@ -178,6 +196,25 @@ def fill(source: Source, request: Request, progress: Progress, began: Began) -> 
     protected = [Unfilled(gap, reason) for gap, reason in never.items()]
     unfilled = sorted([*result.unfilled, *protected], key=lambda entry: entry.gap)
     return replace(result, unfilled=tuple(unfilled))
+
+
+def smooth(
+    made: Repaired, request: Request, progress: Progress, began: Began
+) -> SmoothResult | None:
+    """Smooth the markers that were asked for, where the plan says so.
+
+    Raises
+    ------
+    MocapmendError
+        If the parameters do not fit the recording.
+    """
+    if request.plan.smooth is None:
+        return None
+    began("Smoothing")
+    wanted = marker_choice.choose(made.layers.source, request.markers)
+    recording = made.recording
+    runs = [Gap(marker, 0, recording.frames) for marker in sorted(wanted)]
+    return engine.smooth(recording, runs, *request.plan.smooth, progress)
 
 
 def export(
@@ -191,11 +228,15 @@ def export(
         If it cannot be written, or if a proof fails.
     """
     began("Writing")
-    changes = engine.changes_of(done.source, done.result, *done.way)
+    changes = done.made.changes()
     if request.recipe is not None:
         # Before the recording, which may be replaced by its repaired copy.
         recipe.write_recipe(
-            done.source, changes.repairs, request.recipe, kept_open=changes.kept_open
+            done.source,
+            changes.repairs,
+            request.recipe,
+            kept_open=changes.kept_open,
+            corrections=changes.corrections,
         )
     return engine.export(
         done.source, changes, out, request.replace_source, request.accept_truncated, progress

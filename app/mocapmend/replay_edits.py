@@ -33,7 +33,7 @@ def replayed(document: Document, planned: Plan, results: Sequence[FillResult]) -
     fills = [
         edit
         for job, result in zip(planned.jobs, results, strict=True)
-        for edit in Edit.fills(result, job.method, job.params)
+        for edit in Edit.fills(result, job.method, job.params, document.base_revision)
         if not protected[edit.gap.start : edit.gap.stop, edit.gap.marker].any()
     ]
     cleared = [*sorted(freed), *(gap for gap in planned.reopened if gap in document.repairs)]

@@ -2,33 +2,26 @@
 
 import json
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mocapmend import training
-from mocapmend.engine import Changes, fill_anyway, record
+from mocapmend.changes import earlier, filled
+from mocapmend.doubts import Doubt
+from mocapmend.engine import Changes, FillJob, fill_each
 from mocapmend.errors import MocapmendError
-from mocapmend.files import KeptGap, SampleRun, Source
+from mocapmend.files import KeptGap, MovedRun, Source
 from mocapmend.files.records import RecordedRun, RepairRecord
 from mocapmend.files.sidecar import hash_file
+from mocapmend.layers import Layers
 from mocapmend.recipe import Recipe, read_recipe
 from mocapmend_algorithms import Gap, Progress, Recording
+from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
-from mocapmend_algorithms.progress import part
-
-
-@dataclass(frozen=True)
-class FillJob:
-    """Gaps that one method fills with the same parameters."""
-
-    method: str
-    params: Any
-    gaps: tuple[Gap, ...]
 
 
 @dataclass(frozen=True)
@@ -45,12 +38,15 @@ class Plan:
         Gaps that are kept open from now on.
     freed : tuple of Gap
         Gaps that the file kept open before.
+    layers : Layers
+        What is exchanged and set aside, from which the gaps are filled.
     """
 
     reopened: tuple[Gap, ...]
     jobs: tuple[FillJob, ...]
     kept_open: Mapping[Gap, KeptGap]
     freed: tuple[Gap, ...]
+    layers: Layers
 
 
 def plan(source: Source, recipe: Recipe) -> Plan:
@@ -62,12 +58,13 @@ def plan(source: Source, recipe: Recipe) -> Plan:
         If an edit does not fit the file, its method is not known, or its training set is not
         there.
     """
-    gaps = _Fillable(source.measured)
+    layers = _layers(source, recipe)
+    gaps = _Fillable(layers.recording)
     repaired = set(source.repaired)
     reopened = [_gap_of(source, item, repaired) for item in recipe.reopened]
     filled = [_gap_of(source, item, gaps) for item in recipe.fills]
     freed = [_gap_of(source, item, source.kept_open) for item in recipe.freed]
-    open_gaps = {*source.open_gaps(), *reopened}
+    open_gaps = {*layers.open_gaps(), *reopened}
     kept = [_gap_of(source, item, open_gaps) for item in recipe.kept_open]
     twice = (_has_twice([*reopened, *filled]), _has_twice([*freed, *kept]))
     if any(twice) or _overlapping(source, kept, filled):
@@ -88,6 +85,7 @@ def plan(source: Source, recipe: Recipe) -> Plan:
         tuple(FillJob(*ways[key], tuple(of)) for key, of in jobs.items()),
         dict(zip(kept, recipe.kept_open, strict=True)),
         tuple(freed),
+        layers,
     )
 
 
@@ -127,17 +125,12 @@ def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> l
     MocapmendError
         If a method leaves one of its gaps open.
     """
-    results = []
-    for number, job in enumerate(jobs):
-        share = part(progress, number / len(jobs), (number + 1) / len(jobs))
-        result = fill_anyway(recording, job.gaps, job.method, job.params, share)
-        if result.unfilled:
-            left = result.unfilled[0]
-            raise MocapmendError(
-                f"A gap of {recording.labels[left.gap.marker]} cannot be filled: {left.reason}.",
-                todo="The recipe was made for another recording, or by another version.",
-            )
-        results.append(result)
+    results = fill_each(recording, jobs, progress)
+    for left in (entry for result in results for entry in result.unfilled):
+        raise MocapmendError(
+            f"A gap of {recording.labels[left.gap.marker]} cannot be filled: {left.reason}.",
+            todo="The recipe was made for another recording, or by another version.",
+        )
     return results
 
 
@@ -164,26 +157,49 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
         If an edit does not fit the file, or cannot be made.
     """
     planned = plan(source, recipe)
-    results = fill(source.measured, planned.jobs, progress)
-    kept = dict(zip(source.repaired, source.repairs, strict=True))
-    values = {gap: _missing(gap) for gap in planned.reopened}
-    for gap in planned.reopened:
-        kept.pop(gap, None)
+    results = fill(planned.layers.recording, planned.jobs, progress)
+    made = earlier(planned.layers, without=planned.reopened)
     for job, result in zip(planned.jobs, results, strict=True):
-        for patch in result.patches:
-            values[patch.gap] = patch.values
-            donors = result.donors(patch.gap)
-            kept[patch.gap] = record(source, patch, job.method, job.params, donors)
-    kept_open = {**source.kept_open, **planned.kept_open}
-    filled = [gap for job in planned.jobs for gap in job.gaps]
-    for gap in (*planned.freed, *_overlapping(source, filled, source.kept_open)):
+        made = filled(made, result, job.method, job.params)
+    kept_open = {**made.kept_open, **planned.kept_open}
+    gaps = [gap for job in planned.jobs for gap in job.gaps]
+    for gap in (*planned.freed, *_overlapping(source, gaps, source.kept_open)):
         kept_open.pop(gap, None)
-    runs = [SampleRun(gap.marker, gap.start, values[gap]) for gap in sorted(values)]
-    return Changes(
-        tuple(runs),
-        tuple(kept[gap] for gap in sorted(kept)),
-        tuple(kept_open[gap] for gap in sorted(kept_open)),
-    )
+    return replace(made, kept_open=kept_open).changes()
+
+
+def _layers(source: Source, recipe: Recipe) -> Layers:
+    """Return what is exchanged and set aside by a recipe.
+
+    Raises
+    ------
+    MocapmendError
+        If it does not fit the file.
+    """
+    now = Layers.of(source)
+    moves, aside = set(now.moves), dict(now.set_aside)
+    for entry in recipe.moved_back:
+        moves.discard(_move(source, entry))
+    for run in recipe.believed:
+        aside.pop(_run_of(source, run), None)
+    moves |= {_move(source, entry) for entry in recipe.moved}
+    aside |= {_run_of(source, one): Doubt(one.problem, one.reason) for one in recipe.set_aside}
+    try:
+        after = Layers.with_moves(source, sorted(moves), aside)
+    except ValueError:
+        raise _does_not_fit(source, "what it exchanges contradicts itself") from None
+    if not all(after.measured(run).all() for run in aside):
+        raise _does_not_fit(source, "samples that it sets aside were not measured")
+    return after
+
+
+def _move(source: Source, entry: MovedRun) -> Move:
+    origin = source.markers_by_point.get(entry.from_point)
+    if origin is None or source.recording.labels[origin] != entry.from_marker:
+        raise _does_not_fit(
+            source, f"its point {entry.from_point} is not the marker {entry.from_marker}"
+        )
+    return Move(*_run_of(source, entry), origin)
 
 
 def _has_twice(gaps: Collection[Gap]) -> bool:
@@ -196,10 +212,6 @@ def _overlapping(source: Source, some: Iterable[Gap], others: Iterable[Gap]) -> 
     for gap in some:
         covered[gap.start : gap.stop, gap.marker] = True
     return [gap for gap in others if covered[gap.start : gap.stop, gap.marker].any()]
-
-
-def _missing(gap: Gap) -> NDArray[np.float64]:
-    return np.full((gap.length, 3), np.nan)
 
 
 class _Fillable(Container[Gap]):
@@ -218,14 +230,27 @@ class _Fillable(Container[Gap]):
 
 def _gap_of(source: Source, item: RecordedRun, gaps: Container[Gap]) -> Gap:
     """Find the gap that an edit is about."""
+    gap = _stated(source, item)
+    if gap not in gaps:
+        raise _does_not_fit(source, f"{_frames(item)} are not one of its gaps")
+    return gap
+
+
+def _run_of(source: Source, item: RecordedRun) -> Gap:
+    """Find the run that an edit is about."""
+    run = _stated(source, item)
+    if not 0 <= run.start < run.stop <= source.recording.frames:
+        raise _does_not_fit(source, f"{_frames(item)} are not in it")
+    return run
+
+
+def _stated(source: Source, item: RecordedRun) -> Gap:
+    """Return the run that an edit names, of which nothing but the marker is known to be there."""
     recording = source.recording
     marker = source.markers_by_point.get(item.point)
     if marker is None or recording.labels[marker] != item.marker:
         raise _does_not_fit(source, f"its point {item.point} is not the marker {item.marker}")
-    gap = Gap(marker, *item.rows(recording.first_frame))
-    if gap not in gaps:
-        raise _does_not_fit(source, f"{_frames(item)} are not one of its gaps")
-    return gap
+    return Gap(marker, *item.rows(recording.first_frame))
 
 
 def _frames(item: RecordedRun) -> str:

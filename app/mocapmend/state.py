@@ -9,10 +9,13 @@ class SampleState(IntEnum):
     MEASURED = 0
     MISSING = 1
     BAD = 2
+    """Measured, and set aside: it counts as missing."""
     FILLED = 3
     NEVER = 4
     """Missing, and to be left so: no repair touches it."""
 
 
-ABSENT = (SampleState.MISSING, SampleState.NEVER)
+ABSENT = (SampleState.MISSING, SampleState.BAD, SampleState.NEVER)
 """States without coordinates."""
+OPEN = (SampleState.MISSING, SampleState.BAD)
+"""States of the samples of gaps that are open."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend.files import Source
-from mocapmend.state import SampleState
+from mocapmend.state import OPEN, SampleState
 from mocapmend_algorithms import Gap
 
 NO_RUNS = np.empty((0, 2), np.int64)
@@ -33,13 +33,16 @@ class States:
         self._states[np.divmod(_places(~present.reshape(-1)), max(1, present.shape[1]))] = (
             SampleState.MISSING
         )
+        for run in source.set_aside:
+            self._states[run.start : run.stop, run.marker] = SampleState.BAD
         for gap in source.repaired:
             self._states[gap.start : gap.stop, gap.marker] = SampleState.FILLED
         for gap in source.never_filled:
             self._states[gap.start : gap.stop, gap.marker] = SampleState.NEVER
         markers = range(present.shape[1])
         self._runs = [self._find_runs(marker) for marker in markers]
-        self._gaps = [self.as_gaps(marker, SampleState.MISSING) for marker in markers]
+        self._open = [self._find_open(marker) for marker in markers]
+        self._gaps = [_as_gaps(marker, self._open[marker]) for marker in markers]
         self._all_gaps: list[Gap] | None = None
         self._fillable: tuple[list[Gap], NDArray[np.int64]] | None = None
         _ = self.gaps, self.fillable
@@ -83,7 +86,7 @@ class States:
 
     def as_gaps(self, marker: int, state: SampleState) -> list[Gap]:
         """Return the runs of a marker in a state, by start."""
-        return [Gap(marker, start, stop) for start, stop in self._runs[marker][state].tolist()]
+        return _as_gaps(marker, self._runs[marker][state])
 
     def write(self, places: Any, values: NDArray[np.uint8], markers: Collection[int]) -> None:
         """Give samples other states.
@@ -100,16 +103,27 @@ class States:
         self._states[places] = values
         for marker in markers:
             self._runs[marker] = self._find_runs(marker)
-            self._gaps[marker] = self.as_gaps(marker, SampleState.MISSING)
+            self._open[marker] = self._find_open(marker)
+            self._gaps[marker] = _as_gaps(marker, self._open[marker])
         self._all_gaps = self._fillable = None
 
     def _find_fillable(self) -> tuple[list[Gap], NDArray[np.int64]]:
         frames, gaps = len(self._states), self._gaps
         seen = [marker for marker, of in enumerate(gaps) if not of or of[0].length < frames]
         of_gaps = np.repeat(np.array(seen, np.intp), [len(gaps[marker]) for marker in seen])
-        spans = [NO_RUNS, *(self._runs[marker][SampleState.MISSING] for marker in seen)]
+        spans = [NO_RUNS, *(self._open[marker] for marker in seen)]
         corners = np.column_stack((of_gaps, np.concatenate(spans)))
         return [gap for marker in seen for gap in gaps[marker]], corners
+
+    def _find_open(self, marker: int) -> NDArray[np.int64]:
+        """Return the gaps of a marker: missing samples, and bad ones beside them, are one."""
+        missing, bad = (self._runs[marker][state] for state in OPEN)
+        if not len(bad):
+            return missing
+        spans = np.concatenate((missing, bad))
+        spans = spans[np.argsort(spans[:, 0])]
+        begins = np.append(True, spans[1:, 0] != spans[:-1, 1])
+        return np.stack((spans[begins, 0], spans[np.append(begins[1:], True), 1]), axis=1)
 
     def _find_runs(self, marker: int) -> dict[SampleState, NDArray[np.int64]]:
         states = self._states[:, marker]
@@ -118,6 +132,10 @@ class States:
         spans = np.stack((starts, np.append(changes, len(states))[: len(starts)]), axis=1)
         kinds = states[starts]
         return {state: spans[kinds == state] for state in KINDS}
+
+
+def _as_gaps(marker: int, spans: NDArray[np.int64]) -> list[Gap]:
+    return [Gap(marker, start, stop) for start, stop in spans.tolist()]
 
 
 def _places(mask: NDArray[np.bool_]) -> NDArray[np.intp]:

@@ -10,7 +10,7 @@ from mocapmend_algorithms import Gap
 
 def hidden(document: Document, gap: Gap) -> tuple[int, int]:
     """Return how many measured samples the ends of a gap cover, at its start and at its end."""
-    there = document.original.present[gap.start : gap.stop, gap.marker]
+    there = document.base.present[gap.start : gap.stop, gap.marker]
     gone = np.flatnonzero(~there)
     return (int(gone[0]), gap.length - 1 - int(gone[-1])) if gone.size else (0, 0)
 
@@ -44,7 +44,7 @@ def resized(document: Document, gap: Gap, wanted: Gap) -> Edit:
     """Return the edit that gives an open gap the ends that `widened` has found."""
     start, stop = min(gap.start, wanted.start), max(gap.stop, wanted.stop)
     inside = slice(wanted.start - start, wanted.stop - start)
-    values = document.original.points[start:stop, gap.marker].copy()
+    values = document.base.points[start:stop, gap.marker].copy()
     values[inside] = np.nan
     states = np.full(stop - start, SampleState.MEASURED, np.uint8)
     states[inside] = SampleState.MISSING

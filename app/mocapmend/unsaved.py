@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend import engine
-from mocapmend.engine import Apart, Changes, Exported
-from mocapmend.files import KeptGap, RepairRecord, Source
-from mocapmend.written import Places, differing_runs
+from mocapmend.changes import Changes, Repaired
+from mocapmend.engine import Apart, Exported
+from mocapmend.files import NO_CORRECTIONS, KeptGap, RepairRecord, Source
+from mocapmend.layers import Layers
+from mocapmend.written import Places
 from mocapmend_algorithms import Gap, Progress
 
 if TYPE_CHECKING:
@@ -24,8 +26,8 @@ class Unsaved:
 
     Attributes
     ----------
-    source : Source
-        The file.
+    layers : Layers
+        What was exchanged and set aside.
     places : Places
         Where the samples are.
     values : ndarray, shape (n, 3)
@@ -36,7 +38,7 @@ class Unsaved:
         Gaps that shall never be filled, and that the user left open, with the reasons.
     """
 
-    source: Source
+    layers: Layers
     places: Places
     values: NDArray[np.float64]
     repairs: "Mapping[Gap, Repair]"
@@ -45,8 +47,15 @@ class Unsaved:
 
     def changes(self) -> Changes:
         """Return what differs from the file."""
-        runs = differing_runs(self.values, self.source.recording.points, self.places)
-        return Changes(tuple(runs), self.records(), self.kept_open())
+        fills = dict(zip(sorted(self.repairs), self.records(), strict=True))
+        smoothed = self.source.smoothed
+        made = Repaired(self.layers, self.places, self.values, fills, self._kept_open(), smoothed)
+        return made.changes()
+
+    @property
+    def source(self) -> Source:
+        """The file."""
+        return self.layers.source
 
     def records(self) -> tuple[RepairRecord, ...]:
         """Return all repairs as the repair record has them."""
@@ -57,16 +66,19 @@ class Unsaved:
 
     def kept_open(self) -> tuple[KeptGap, ...]:
         """Return the gaps that are kept open as the repair record has them."""
+        return tuple(self._kept_open().values())
+
+    def _kept_open(self) -> dict[Gap, KeptGap]:
         kept = {self._missing(gap): (True, reason) for gap, reason in self.never.items()}
         kept |= {self._missing(gap): (False, reason) for gap, reason in self.set_aside.items()}
-        return tuple(
-            engine.kept_gap(self.source, gap, never=kept[gap][0], reason=kept[gap][1])
+        return {
+            gap: engine.kept_gap(self.source, gap, never=kept[gap][0], reason=kept[gap][1])
             for gap in sorted(kept)
-        )
+        }
 
     def _missing(self, gap: Gap) -> Gap:
         """Return a gap without the measured samples that its ends cover: the file keeps these."""
-        present = self.source.measured.present[gap.start : gap.stop, gap.marker]
+        present = self.layers.recording.present[gap.start : gap.stop, gap.marker]
         gone = gap.start + np.flatnonzero(~present)
         return Gap(gap.marker, int(gone[0]), int(gone[-1]) + 1)
 
@@ -104,5 +116,10 @@ def write_recipe(unsaved: Unsaved, path: Path, progress: Progress) -> None:
     from mocapmend import recipe
 
     recipe.write_recipe(
-        unsaved.source, unsaved.records(), path, progress, kept_open=unsaved.kept_open()
+        unsaved.source,
+        unsaved.records(),
+        path,
+        progress,
+        kept_open=unsaved.kept_open(),
+        corrections=unsaved.layers.corrections(NO_CORRECTIONS),
     )

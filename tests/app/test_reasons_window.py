@@ -15,7 +15,8 @@ from mocapmend.cli import main
 from mocapmend.document import Document
 from mocapmend.edits import Edit
 from mocapmend.files import read_c3d
-from mocapmend.files.records import LEFT_OPEN, LONGEST_TEXT, NEVER_FILLED
+from mocapmend.files.record_values import LONGEST_TEXT
+from mocapmend.files.records import LEFT_OPEN, NEVER_FILLED
 from mocapmend.journal import find_abandoned, resume
 from mocapmend.settings import Settings
 from mocapmend.state import SampleState

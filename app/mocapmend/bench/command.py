@@ -15,7 +15,9 @@ BENCHES = {
     "fuzz": "damaged files: each must open or be refused, soon and without much memory",
     "poses": "sparse codes of poses: dictionary size, gap length, missing markers",
     "paper": "a paper's experiment: joints of a skeleton, neighbours missing for long",
+    "smoothing": "noise taken away and motion lost by smoothing, on recordings with added noise",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
+    "problems": "detectors of bad samples, on recordings with errors put in",
 }
 """Each is a module with `add_arguments(parser)` and `run(arguments)`, which returns a result."""
 

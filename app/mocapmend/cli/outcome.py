@@ -1,6 +1,7 @@
 """What `repair` says about what it did, as JSON and as text."""
 
 import dataclasses
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,9 @@ from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.engine import Exported
 from mocapmend.repair_outcome import Outcome
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 _NOTHING_WRITTEN: Mapping[str, Any] = dict.fromkeys(
     (
@@ -42,6 +46,8 @@ def as_json(done: Outcome, files: Mapping[str, Path | None], *, samples: bool) -
             "max_gap_frames": done.limits.frames(done.method, recording.rate),
             "max_error_mm": done.limits.error_mm,
         },
+        "fixed": [bad_run(recording, run) for run in done.fixed],
+        "smoothed": [] if done.smoothing is None else _smoothed(done, done.smoothing),
         "gaps": _gaps(done, samples=samples),
         "totals": {
             "gaps": len(done.repairs) + len(done.result.unfilled),
@@ -62,6 +68,34 @@ def _as_written(done: Outcome, exported: Exported) -> dict[str, Any]:
         "references": list(methods.references),
         **common.written(exported),
     }
+
+
+def bad_run(recording: Recording, run: BadRun) -> dict[str, Any]:
+    """Return what was found wrong with a run, for JSON."""
+    known = run.deviation == run.deviation
+    return {
+        "kind": run.kind,
+        **common.place(recording, Gap(run.marker, run.start, run.stop)),
+        "score": run.score,
+        "deviation_mm": run.deviation * recording.mm if known else None,
+        "reason": run.reason,
+        "other": None if run.other is None else recording.labels[run.other],
+        "other_index": run.other,
+    }
+
+
+def _smoothed(done: Outcome, result: SmoothResult) -> list[dict[str, Any]]:
+    recording = done.source.recording
+    return [
+        {
+            **common.place(recording, one.run),
+            "method": result.method,
+            "parameters": {**result.params, **one.chosen},
+            "rms_change_mm": one.rms * recording.mm,
+            "largest_change_mm": one.largest * recording.mm,
+        }
+        for one in result.runs
+    ]
 
 
 def _gaps(done: Outcome, *, samples: bool) -> list[dict[str, Any]]:
@@ -106,6 +140,10 @@ def show(done: Outcome, files: Mapping[str, Path | None], console: Console) -> N
             console.say(f"{name.capitalize() + ':':<10}{path}")
     console.say(f"Method:   {done.method_text}")
     console.say(f"Limits:   {done.limits_text}")
+    for kind, found in Counter(run.kind for run in done.fixed).items():
+        console.say(f"Fixed:    {common.count(found, 'run')} ({kind})")
+    if done.smoothing is not None:
+        console.say(_smoothing_text(done, done.smoothing))
     total = len(done.repairs) + len(done.result.unfilled)
     title = "To fill:" if exported is None else "Filled:"
     console.say(
@@ -115,6 +153,12 @@ def show(done: Outcome, files: Mapping[str, Path | None], console: Console) -> N
     for note in () if exported is None else exported.sentences:
         console.say(note)
     _show_open_gaps(done, console)
+
+
+def _smoothing_text(done: Outcome, result: SmoothResult) -> str:
+    changes = [one.rms * done.source.recording.mm for one in result.runs]
+    moved = f", moved by {np.median(changes):.2g} mm rms (median)" if changes else ""
+    return f"Smoothed: {common.count(len(result.runs), 'marker')} ({result.method}){moved}"
 
 
 def _show_open_gaps(done: Outcome, console: Console) -> None:

@@ -18,12 +18,15 @@ from mocapmend import repairing
 from mocapmend.cli import common, outcome, target
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
-from mocapmend.plan import Plan, read_plan
+from mocapmend.plan import Plan, Smoothing, read_plan
 from mocapmend.prospects import Way
 from mocapmend.repairing import Request
 from mocapmend.report import check_report_ending
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.problems.registry import DETECTORS, chosen
+from mocapmend_algorithms.smooth import registry as smoothers
+from mocapmend_algorithms.smooth.registry import SMOOTHERS, Smoother
 from mocapmend_resources import training
 
 DEFAULT_METHOD = "auto"
@@ -55,6 +58,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=_millimetres,
         metavar="MM",
         help="leave gaps with a larger expected error open; inf fills all that the method can",
+    )
+    parser.add_argument(
+        "--fix",
+        type=_detectors,
+        default=(),
+        metavar="ID[,ID...]",
+        help="first put bad samples right that these detectors find, or all: "
+        f"{', '.join(DETECTORS)}; what is wrong is set aside and filled as a gap, what has changed "
+        "places is exchanged",
+    )
+    parser.add_argument(
+        "--smooth",
+        type=_smoother,
+        metavar="ID",
+        help=f"at last smooth all markers (or those of --markers): {', '.join(SMOOTHERS)}",
+    )
+    parser.add_argument(
+        "--smooth-param",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="a parameter of the smoothing, such as cutoff_hz=6; may be given several times",
     )
     parser.add_argument(
         "--plan",
@@ -131,11 +156,12 @@ def _target(arguments: argparse.Namespace) -> Path | None:
 
 def _given(arguments: argparse.Namespace) -> Plan:
     """Return what the plan says, or the arguments."""
-    chosen = (arguments.method, arguments.param, arguments.max_gap, arguments.max_error)
+    names = ("method", "param", "max_gap", "max_error", "fix", "smooth", "smooth_param")
     if arguments.plan is None:
         method = arguments.method or registry.method(DEFAULT_METHOD)
-        return Plan(Way(method.id, _params(method, arguments.param)))
-    if any(value not in (None, []) for value in chosen):
+        way = Way(method.id, _params(method, arguments.param))
+        return Plan(way, fix=arguments.fix, smooth=_smoothing(arguments))
+    if any(getattr(arguments, name) not in (None, [], ()) for name in names):
         raise UsageError("--plan says the method and the limits: give no others")
     return read_plan(arguments.plan)
 
@@ -172,14 +198,47 @@ def _millimetres(text: str) -> float:
     return length
 
 
+def _detectors(text: str) -> tuple[str, ...]:
+    if text.strip() == "all":
+        return tuple(DETECTORS)
+    try:
+        return tuple(each.id for each in chosen(map(str.strip, text.split(","))))
+    except KeyError as error:
+        raise argparse.ArgumentTypeError(error.args[0]) from None
+
+
+def _smoother(text: str) -> Smoother:
+    try:
+        return smoothers.smoother(text)
+    except KeyError as error:
+        raise argparse.ArgumentTypeError(error.args[0]) from None
+
+
+def _smoothing(arguments: argparse.Namespace) -> Smoothing | None:
+    smoother, pairs = arguments.smooth, arguments.smooth_param
+    if smoother is None:
+        if pairs:
+            raise UsageError("--smooth-param belongs to --smooth")
+        return None
+    try:
+        params = smoothers.parse_params(smoother, _pairs("--smooth-param", pairs))
+    except ValueError as error:
+        raise UsageError(f"smoothing {smoother.id}: {error}") from None
+    return Smoothing(smoother.id, params)
+
+
 def _params(method: registry.Method, pairs: Sequence[str]) -> Any:
+    try:
+        return registry.parse_params(method, _pairs("--param", pairs))
+    except ValueError as error:
+        raise UsageError(f"method {method.id}: {error}") from None
+
+
+def _pairs(option: str, pairs: Sequence[str]) -> dict[str, str]:
     values = {}
     for pair in pairs:
         name, equals, value = pair.partition("=")
         if not equals:
-            raise UsageError(f"--param takes NAME=VALUE, not {pair!r}")
+            raise UsageError(f"{option} takes NAME=VALUE, not {pair!r}")
         values[name.strip()] = value
-    try:
-        return registry.parse_params(method, values)
-    except ValueError as error:
-        raise UsageError(f"method {method.id}: {error}") from None
+    return values

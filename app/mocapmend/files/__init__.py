@@ -8,6 +8,14 @@ from mocapmend.files.c3d_patch import save_patched
 from mocapmend.files.c3d_points import Way
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.files.check import ChangedRun, CheckReport, check_files
+from mocapmend.files.corrections import (
+    NO_CORRECTIONS,
+    Corrections,
+    MovedRun,
+    Renamed,
+    SetAside,
+    SmoothedRun,
+)
 from mocapmend.files.force_plate import ForcePlate
 from mocapmend.files.formats import FORMATS, read_recording
 from mocapmend.files.opening import Stamp
@@ -21,19 +29,25 @@ from mocapmend.files.writing import LONG_CSV, WRITTEN, check_ending, patches, wr
 __all__ = [
     "FORMATS",
     "LONG_CSV",
+    "NO_CORRECTIONS",
     "WRITTEN",
     "C3DFile",
     "ChangedRun",
     "CheckReport",
     "Claim",
+    "Corrections",
     "Event",
     "ForcePlate",
     "KeptGap",
     "Layout",
+    "MovedRun",
     "Provenance",
+    "Renamed",
     "RepairRecord",
     "SampleRun",
     "Saved",
+    "SetAside",
+    "SmoothedRun",
     "Source",
     "Stamp",
     "Way",

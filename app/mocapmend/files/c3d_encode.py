@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,11 +29,18 @@ class SampleRun:
         The first frame, from 0.
     values : ndarray, shape (n, 3), float64
         Coordinates in the recording's unit, a row of NaN to make a sample missing.
+    fourth : ndarray, shape (n,), float32, optional
+        What is stored beside them. By default 0 (computed, seen by no camera), and -1 where the
+        sample is missing.
+    origin : int, optional
+        The marker that has these samples in the file: all of their bytes are copied from there.
     """
 
     marker: int
     start: int
     values: NDArray[np.float64]
+    fourth: NDArray[np.float32] | None = None
+    origin: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +57,10 @@ class Slots:
         The bytes.
     values : ndarray, shape (n, 3), float64
         The coordinates that they stand for, NaN for a missing sample.
+    fourth : ndarray, shape (n,), float32
+        The fourth words.
+    origins : ndarray of int, shape (n,)
+        The stored points whose bytes in the file belong there instead of `raw`; else -1.
     notes : tuple of str
         What was not written exactly as it was given.
     """
@@ -57,6 +69,8 @@ class Slots:
     points: NDArray[np.int64]
     raw: NDArray[np.uint8]
     values: NDArray[np.float64]
+    fourth: NDArray[np.float32]
+    origins: NDArray[np.int64]
     notes: tuple[str, ...]
 
     def __len__(self) -> int:
@@ -89,8 +103,7 @@ def encode_runs(source: C3DFile, runs: Sequence[SampleRun], layout: Layout | Non
     layout : Layout, optional
         Of the copy, where it is not that of the file.
 
-    A filled sample gets the fourth word 0: computed, seen by no camera. A missing one gets
-    coordinates 0 and the fourth word -1, which every reader understands.
+    A missing sample gets coordinates 0 and the fourth word -1, which every reader understands.
 
     Raises
     ------
@@ -100,8 +113,9 @@ def encode_runs(source: C3DFile, runs: Sequence[SampleRun], layout: Layout | Non
         If a run lies outside the recording or its values are not samples.
     """
     layout = layout or source.layout
-    frames, markers, values = _flatten(source, runs)
-    points = np.array(source.marker_points, np.int64)[markers]
+    frames, markers, values, given, origins = _flatten(source, runs)
+    # The last one stands for no marker.
+    stored = np.array([*source.marker_points, -1], np.int64)
     missing = np.isnan(values[:, 0])
     present = np.where(missing[:, None], 0.0, values)
     limit = layout.processor.largest if layout.is_float else 32767.5 * layout.scale
@@ -109,8 +123,9 @@ def encode_runs(source: C3DFile, runs: Sequence[SampleRun], layout: Layout | Non
     if len(too_large):
         at = too_large[0]
         raise _does_not_fit(source, int(markers[at]), int(frames[at]), present[at], limit)
-    words, zeros, moved = _words(present, ~missing, layout)
-    words[missing, 3] = -1
+    words, zeros, moved = _words(present, ~missing & (origins < 0), layout)
+    fourth = np.where(np.isnan(given), np.where(missing, -1, 0), given).astype(np.float32)
+    words[:, 3] = fourth
     values[zeros] = moved
     raw = (encode_floats if layout.is_float else encode_integers)(words, layout.processor)
     notes = []
@@ -119,34 +134,59 @@ def encode_runs(source: C3DFile, runs: Sequence[SampleRun], layout: Layout | Non
             f"{int(zeros.sum())} samples at (0, 0, 0), which means missing in a C3D file, were "
             f"moved by {np.abs(moved).max():.3g} {source.recording.unit}."
         )
-    return Slots(frames, points, raw.reshape(-1, layout.slot), values, tuple(notes))
+    return Slots(
+        frames,
+        stored[markers],
+        raw.reshape(-1, layout.slot),
+        values,
+        fourth,
+        stored[origins],
+        tuple(notes),
+    )
 
 
-def _flatten(
-    source: C3DFile, runs: Sequence[SampleRun]
-) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
-    """Return frames, markers and values of all samples, ordered and each one once."""
+class _Samples(NamedTuple):
+    """All samples, ordered and each one once; NaN for a fourth word, and -1 for no origin."""
+
+    frames: NDArray[np.int64]
+    markers: NDArray[np.int64]
+    values: NDArray[np.float64]
+    fourth: NDArray[np.float64]
+    origins: NDArray[np.int64]
+
+
+def _flatten(source: C3DFile, runs: Sequence[SampleRun]) -> _Samples:
     recording = source.recording
     for run in runs:
         inside = 0 <= run.start <= recording.frames - len(run.values)
         if run.values.ndim != 2 or run.values.shape[1] != 3:
             raise ValueError(f"values must be (n, 3), not {run.values.shape}")
-        if not (inside and 0 <= run.marker < recording.markers):
+        markers = (run.marker, run.marker if run.origin is None else run.origin)
+        if run.fourth is not None and run.fourth.shape != run.values.shape[:1]:
+            raise ValueError(f"{len(run.fourth)} fourth words for {len(run.values)} samples")
+        if not (inside and 0 <= min(markers) <= max(markers) < recording.markers):
             raise ValueError(
                 f"marker {run.marker}, frames {run.start} to {run.start + len(run.values) - 1} "
                 f"are not all in {recording.markers} markers and {recording.frames} frames"
             )
-    if not runs:
-        return np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros((0, 3))
+    lengths = [len(run.values) for run in runs]
+    if not sum(lengths):
+        none = np.zeros(0, np.int64)
+        return _Samples(none, none, np.zeros((0, 3)), np.zeros(0), none)
     frames = np.concatenate([run.start + np.arange(len(run.values)) for run in runs])
-    markers = np.repeat([run.marker for run in runs], [len(run.values) for run in runs])
+    numbers = np.repeat([run.marker for run in runs], lengths)
+    origins = np.repeat([-1 if run.origin is None else run.origin for run in runs], lengths)
+    given = [np.full(len(run.values), np.nan) if run.fourth is None else run.fourth for run in runs]
+    fourth = np.concatenate(given).astype(np.float64)
     values = np.concatenate([run.values for run in runs]).astype(np.float64)
     if (np.isnan(values).any(axis=1) != np.isnan(values).all(axis=1)).any():
         raise ValueError("a sample has some coordinates and not others")
-    keys = frames * recording.markers + markers
+    keys = frames * recording.markers + numbers
     _, last = np.unique(keys[::-1], return_index=True)
     chosen = len(keys) - 1 - last
-    return frames[chosen], markers[chosen], values[chosen]
+    return _Samples(
+        frames[chosen], numbers[chosen], values[chosen], fourth[chosen], origins[chosen]
+    )
 
 
 def _words(

@@ -11,8 +11,9 @@ from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.c3d_parameters import Parameters
 from mocapmend.files.c3d_section import group_record, integer_record, text_record, text_records
+from mocapmend.files.corrections import KINDS, Corrections
 from mocapmend.files.provenance import FORMAT, Provenance, hashes
-from mocapmend.files.records import RecordedRun, kept_gaps, line, repair_records
+from mocapmend.files.records import Recorded, kept_gaps, line, repair_records
 
 NAME = "MOCAPMEND"
 ABOUT = "Repairs by mocapmend: one JSON object each; points are counted from 1"
@@ -44,6 +45,8 @@ def encode_group(provenance: Provenance, number: int, processor: Processor) -> b
     ]
     if provenance.kept_open:
         parts += text_records(number, "KEPT_OPEN", _rows(provenance.kept_open), processor)
+    for kind, entries in provenance.corrections.lists():
+        parts += text_records(number, kind.upper(), _rows(entries), processor)
     raw = b"".join(parts)
     return raw + b"".join(_padding(-len(raw) % BLOCK, number, processor))
 
@@ -67,10 +70,13 @@ def decode_group(parameters: Parameters) -> Provenance | None:
         converted=parameters.number(f"{NAME}:CONVERTED") == 1,
         program=parameters.text(f"{NAME}:PROGRAM"),
         kept_open=kept_gaps(_objects(parameters, "KEPT_OPEN")),
+        corrections=Corrections.from_lists(
+            {kind: _objects(parameters, kind.upper()) for kind in KINDS}
+        ),
     )
 
 
-def _rows(entries: Iterable[RecordedRun]) -> list[bytes]:
+def _rows(entries: Iterable[Recorded]) -> list[bytes]:
     """Cut lines of JSON; spaces are escaped, because rows lose those at their end."""
     lines = [line(entry).replace(" ", "\\u0020").encode("ascii") for entry in entries]
     return [

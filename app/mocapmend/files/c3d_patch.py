@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,7 @@ from mocapmend.files.c3d_samples import (
     read_pieces,
 )
 from mocapmend.files.c3d_target import Target, plan
+from mocapmend.files.corrections import NO_CORRECTIONS, Corrections
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.records import KeptGap, RepairRecord
@@ -41,6 +42,7 @@ def save_patched(
     *,
     repairs: Sequence[RepairRecord] = (),
     kept_open: Sequence[KeptGap] = (),
+    corrections: Corrections = NO_CORRECTIONS,
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
@@ -63,6 +65,8 @@ def save_patched(
         All repairs that the copy will have, for its repair record.
     kept_open : sequence of KeptGap
         All gaps that are kept open in it, for the same.
+    corrections : Corrections
+        All that was put right besides filling gaps, for the same.
     replace_source : bool
         Whether `out` may be the source itself.
     accept_truncated : bool
@@ -92,7 +96,8 @@ def save_patched(
         )
     check_place(source, out, replace_source=replace_source, accept_truncated=accept_truncated)
     to_float = not fits(source, runs)
-    provenance = _provenance(source, runs, repairs, kept_open, to_float=to_float)
+    entries = _Entries(repairs, kept_open, corrections)
+    provenance = _provenance(source, runs, entries, to_float=to_float)
     target = plan(source, provenance, to_float=to_float)
     slots = encode_runs(source, runs, target.layout)
     copy = _Copy(source, slots, target, provenance, progress)
@@ -112,24 +117,30 @@ def save_patched(
     return Saved(out, len(slots), slots.notes, to_float, target.record)
 
 
+class _Entries(NamedTuple):
+    """What the repair record of a copy lists."""
+
+    repairs: Sequence[RepairRecord]
+    kept_open: Sequence[KeptGap]
+    corrections: Corrections
+
+
 def _provenance(
-    source: C3DFile,
-    runs: Sequence[SampleRun],
-    repairs: Sequence[RepairRecord],
-    kept_open: Sequence[KeptGap],
-    *,
-    to_float: bool,
+    source: C3DFile, runs: Sequence[SampleRun], entries: _Entries, *, to_float: bool
 ) -> Provenance | None:
     """Return the repair record of the copy; the hash of the source is not known yet."""
-    former = source.provenance
-    kept = tuple(sorted(kept_open, key=lambda gap: gap.place))
-    same = not runs and kept == tuple(source.kept_open.values())
-    if same or (former is None and not (repairs or kept or to_float)):
+    former, corrections = source.provenance, entries.corrections
+    kept = tuple(sorted(entries.kept_open, key=lambda gap: gap.place))
+    known = NO_CORRECTIONS if former is None else former.corrections
+    same = not runs and kept == tuple(source.kept_open.values()) and corrections == known
+    if same or (former is None and not (entries.repairs or kept or to_float or corrections)):
         return former
     inputs = () if former is None else former.inputs
     converted = to_float or (former is not None and former.converted)
-    ordered = tuple(sorted(repairs, key=lambda record: record.place))
-    return Provenance(ordered, (*inputs, NO_HASH), converted, kept_open=kept)
+    ordered = tuple(sorted(entries.repairs, key=lambda record: record.place))
+    return Provenance(
+        ordered, (*inputs, NO_HASH), converted, kept_open=kept, corrections=corrections
+    )
 
 
 class _Copy:
@@ -190,9 +201,7 @@ class _Copy:
                 read = np.empty(expected.raw.shape, np.uint8)
                 fill(stream, read, str(path))
                 if expected.frame is not None:
-                    inside = self._slots.within(expected.frame, len(read))
-                    at = self._slots.frames[inside] - expected.frame, self._slots.points[inside]
-                    _check_samples(read, at, self._slots.values[inside], layout, path)
+                    _check_samples(read, expected.frame, self._slots, layout, path)
                 if not np.array_equal(expected.raw, read):
                     raise not_as_written(path, "bytes outside the repaired samples")
         self._progress(1.0)
@@ -218,24 +227,26 @@ class _Copy:
             raw = as_float_block(raw, self._source.layout, unsigned=self._unsigned)
         inside = self._slots.within(frame, len(raw))
         place = point_slots(raw, self._target.layout)
-        place[self._slots.frames[inside] - frame, self._slots.points[inside]] = self._slots.raw[
-            inside
-        ]
+        rows, origins = self._slots.frames[inside] - frame, self._slots.origins[inside]
+        copied = origins >= 0
+        written = self._slots.raw[inside].copy()
+        written[copied] = place[rows[copied], origins[copied]]
+        place[rows, self._slots.points[inside]] = written
         return Piece(piece.offset, frame, raw)
 
 
 def _check_samples(
-    block: NDArray[np.uint8],
-    at: tuple[NDArray[np.int64], NDArray[np.int64]],
-    values: NDArray[np.float64],
-    layout: Layout,
-    path: Path,
+    block: NDArray[np.uint8], frame: int, slots: Slots, layout: Layout, path: Path
 ) -> None:
-    """Compare patched samples of a block with what was to be written."""
+    """Compare patched samples of a block, which begins with a frame, with what was to be there."""
+    inside = slots.within(frame, len(block))
+    # Where bytes were copied, these are compared.
+    own = slots.origins[inside] < 0
+    values, fourth = slots.values[inside][own], slots.fourth[inside][own]
+    at = slots.frames[inside][own] - frame, slots.points[inside][own]
     words = point_words(block, layout)[at]
     missing = np.isnan(values[:, 0])
     read = np.stack([coordinates(words, layout, axis) for axis in range(3)], axis=-1)
-    fourth = np.where(missing, -1, 0)
     expected = np.where(missing[:, None], 0.0, values).astype(np.float32)
     if layout.is_float:
         same = (read == expected).all()
@@ -243,5 +254,5 @@ def _check_samples(
         # Half a step of the integers, and the rounding of the products.
         allowed = 0.5 * layout.scale + np.spacing(np.abs(expected))
         same = (np.abs(read.astype(np.float64) - expected) <= allowed).all()
-    if not (same and np.array_equal(words[:, 3], fourth)):
+    if not (same and np.array_equal(words[:, 3].astype(np.float32), fourth)):
         raise not_as_written(path, "repaired samples")

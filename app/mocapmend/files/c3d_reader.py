@@ -19,13 +19,14 @@ from mocapmend.files.c3d_labels import (
 )
 from mocapmend.files.c3d_layout import Layout, read_layout
 from mocapmend.files.c3d_points import PLAIN, Points, Way
-from mocapmend.files.c3d_samples import read_analog_samples
+from mocapmend.files.c3d_samples import point_words, read_analog_samples, read_blocks
 from mocapmend.files.c3d_space import up_axis
 from mocapmend.files.opening import changed_on_disk, open_file, too_large
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.repairs import with_repairs
 from mocapmend.files.source import Source, truncation
 from mocapmend.files.space import length_unit
+from mocapmend_algorithms.gaps import Gap
 from mocapmend_algorithms.recording import Recording
 
 
@@ -96,6 +97,33 @@ class C3DFile(Source):
             return read_analog_samples(
                 stream, self.layout, str(self.path), convert, unsigned=unsigned, chosen=chosen
             )
+
+    @np.errstate(all="ignore")
+    def read_fourth(self, runs: Sequence[Gap]) -> list[NDArray[np.float32]]:
+        """Read the fourth words of some runs from the file.
+
+        Returns
+        -------
+        list of ndarray, shape (frames of the run,)
+
+        Raises
+        ------
+        MocapmendError
+            If the file is not there any more, or not as it was.
+        """
+        words = []
+        with open_file(self.path) as (stream, stamp):
+            if stamp != self.stamp:
+                raise changed_on_disk(self.path)
+            for run in runs:
+                point, own = self.marker_points[run.marker], np.empty(run.length, np.float32)
+                for first, block in read_blocks(
+                    stream, self.layout, str(self.path), run.start, run.stop
+                ):
+                    start = first - run.start
+                    own[start : start + len(block)] = point_words(block, self.layout)[:, point, 3]
+                words.append(own)
+        return words
 
 
 @np.errstate(all="ignore")

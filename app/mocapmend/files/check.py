@@ -14,10 +14,12 @@ from mocapmend.files.alignment import Alignment, Side, align, pairs, read_side
 from mocapmend.files.c3d_group import decode_group
 from mocapmend.files.c3d_labels import analog_labels, model_points, point_labels
 from mocapmend.files.c3d_layout import Layout
+from mocapmend.files.check_allowed import Allowed
+from mocapmend.files.check_corrections import Order, Originals
+from mocapmend.files.corrections import SetAside
 from mocapmend.files.findings import Findings
 from mocapmend.files.opening import open_file
 from mocapmend.files.provenance import Provenance
-from mocapmend.files.repairs import listed_samples
 from mocapmend_algorithms.gaps import runs
 
 
@@ -105,8 +107,9 @@ def check_files(
     These may differ: samples of markers that the original lacks, or that were repaired in it
     before, if the repaired file marks them as computed (fourth word 0) or as missing again;
     measured samples that a listed repair of a gap covers at its ends; the
-    repair record, with the numbers of blocks that it moves; integers that became floats, if the
-    repair record says so. A sample that the repair record of the repaired file does not list, or
+    repair record, with the numbers of blocks that it moves; integers that became floats, samples
+    that were exchanged between markers, set aside, or smoothed, if the repair record says so. A
+    sample that the repair record of the repaired file does not list, or
     that is in a gap which it keeps open, may not differ.
 
     Parameters
@@ -131,31 +134,31 @@ def check_files(
         except MocapmendError:
             after = None
         alignment = align(before, after, second_stamp.size)
-        found = Findings(alignment.layout)
+        earlier = _record(original, before)
+        record = provenance or (None if after is None else _record(repaired, after))
+        order = Order(earlier, record, alignment.layout)
+        found = Findings(
+            alignment.layout,
+            Originals(_set_aside(record), alignment.layout),
+            Originals(_set_aside(earlier), alignment.layout, order),
+        )
         for one, other in pairs(alignment, first, second, (str(original), str(repaired))):
-            if not np.array_equal(one.raw, other.raw):
-                found.add(one, other)
-    earlier = _record(original, before)
-    record = provenance or (None if after is None else _record(repaired, after))
+            found.add(order.applied_to(one), other)
     layout = before.layout
     labels = point_labels(layout, [])
     models = model_points(layout, labels)
     others = []
     if not alignment.sizes_fit:
         others.append(f"The sizes differ: {first_stamp.size} and {second_stamp.size} bytes.")
-    reverted = found.forgive(_listed(earlier, alignment.layout))
-    unlisted = np.zeros_like(found.changed)
-    protected = np.zeros_like(found.changed)
-    ends = 0
+    if not order.possible:
+        others.append("The repair record lists exchanges that contradict each other.")
+    allowed = Allowed(order, earlier, record, found, alignment.layout)
     if record is not None:
-        ends = found.forgive_ends(_runs(record, alignment.layout))
-        protected = found.changed & ~reverted & _kept_open(record, alignment.layout)
-        unlisted = found.changed & ~reverted & ~_listed(record, alignment.layout) & ~protected
         # A copy without new repairs has the record of its original, which names one before.
         copied = earlier is not None and record.inputs == earlier.inputs
         if not copied and sidecar.hash_file(original) not in record.inputs:
             others.append("The repair record names another original.")
-    others += _sentences(layout, labels, models, found, unlisted, protected)
+    others += _sentences(layout, labels, models, found, allowed)
     if alignment.converted and not (record is not None and record.converted):
         others.append("Integers became floats, and no repair record says so.")
     changed = found.changed
@@ -169,7 +172,7 @@ def check_files(
             for start, stop in runs(changed[:, point])
         ),
         changed_samples=int(np.count_nonzero(changed)),
-        allowed=tuple(_allowed(alignment, ends)),
+        allowed=(*allowed.sentences(), *_about_structure(alignment)),
         other_differences=tuple(others),
         identical=alignment.heads_equal and not (others or changed.any()),
     )
@@ -186,32 +189,12 @@ def _record(path: Path, side: Side) -> Provenance | None:
         return None
 
 
-def _listed(record: Provenance | None, layout: Layout) -> NDArray[np.bool_]:
-    """Mark the samples that a record lists, shape (frames, points)."""
-    repairs = () if record is None else record.repairs
-    return listed_samples(repairs, (layout.frames, layout.points), layout.first_frame)
+def _set_aside(record: Provenance | None) -> tuple[SetAside, ...]:
+    return () if record is None else record.corrections.set_aside
 
 
-def _kept_open(record: Provenance, layout: Layout) -> NDArray[np.bool_]:
-    """Mark the samples of the gaps that a record keeps open, shape (frames, points)."""
-    return listed_samples(record.kept_open, (layout.frames, layout.points), layout.first_frame)
-
-
-def _runs(record: Provenance, layout: Layout) -> Iterator[tuple[slice, int]]:
-    """Yield frames and point of the repairs that a record lists."""
-    for repair in record.repairs:
-        start, stop = repair.rows(layout.first_frame)
-        if 0 < repair.point <= layout.points:
-            yield slice(max(start, 0), max(stop, 0)), repair.point - 1
-
-
-def _allowed(alignment: Alignment, ends: int) -> Iterator[str]:
-    """Say what differs besides missing samples and may."""
-    if ends:
-        yield (
-            f"{ends} measured sample{'' if ends == 1 else 's'} at the ends of repaired gaps "
-            "were replaced; the repair record lists them."
-        )
+def _about_structure(alignment: Alignment) -> Iterator[str]:
+    """Say what differs outside the samples and may."""
     if alignment.before is None or alignment.after is None:
         return
     blocks = alignment.after.record_blocks - alignment.before.record_blocks
@@ -231,8 +214,7 @@ def _sentences(
     labels: tuple[str, ...],
     models: frozenset[int],
     found: Findings,
-    unlisted: NDArray[np.bool_],
-    protected: NDArray[np.bool_],
+    allowed: Allowed,
 ) -> Iterator[str]:
     """Say what differs besides marker samples that are marked as they should be."""
     for place, count in found.places.items():
@@ -247,13 +229,20 @@ def _sentences(
             (found.measured, " although measured"),
             (found.empty, ", and still missing"),
             (found.unmarked, " without the mark of a computed sample (fourth word 0)"),
-            (unlisted, " without an entry in the repair record"),
-            (protected, " although the repair record keeps the gap open"),
+            (allowed.unlisted, " without an entry in the repair record"),
+            (allowed.protected, " although the repair record keeps the gap open"),
         ):
             if wrong[:, point].any():
                 count, first = _extent(wrong[:, point], layout)
                 differ = _differ(count, "sample")
                 yield f"Marker {labels[point]}: {differ}{what}, the first at frame {first}."
+    for point in np.flatnonzero(found.misstated.any(axis=0)).tolist():
+        count, first = _extent(found.misstated[:, point], layout)
+        samples = "1 sample" if count == 1 else f"{count} samples"
+        yield (
+            f"Marker {labels[point]}: {samples} set aside were not measured as the repair record "
+            f"says, the first at frame {first}."
+        )
     names = analog_labels(layout)
     for channel in np.flatnonzero(found.analog).tolist():
         yield f"Analog channel {names[channel]}: {_differ(found.analog[channel], 'value')}."

@@ -16,6 +16,7 @@ from mocapmend.files.c3d_samples import (
     point_words,
     unmarked_missing,
 )
+from mocapmend.files.check_corrections import Originals
 
 
 class Findings:
@@ -25,6 +26,8 @@ class Findings:
     ----------
     layout : Layout
         With which the pieces are read.
+    stated, former : Originals
+        What the record of the copy, and that of the original, say was measured.
 
     Attributes
     ----------
@@ -37,14 +40,22 @@ class Findings:
         Number of analog values that differ.
     places : Counter of str
         Number of bytes that differ outside the frames, by the name of the place.
+    restored : ndarray of bool, shape (frames, points)
+        Samples that are again what the record of the original says was measured.
+    misstated : ndarray of bool, shape (frames, points)
+        Samples of which the record of the copy says that something else was measured.
     """
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: Layout, stated: Originals, former: Originals) -> None:
         self._layout = layout
+        self._stated = stated
+        self._former = former
         self.changed = np.zeros((layout.frames, layout.points), np.bool_)
         self.measured = np.zeros_like(self.changed)
         self.unmarked = np.zeros_like(self.changed)
         self.empty = np.zeros_like(self.changed)
+        self.restored = np.zeros_like(self.changed)
+        self.misstated = np.zeros_like(self.changed)
         self.analog = np.zeros(layout.channels, np.int64)
         self.places: Counter[str] = Counter()
         self._parts = _parts(layout)
@@ -68,6 +79,24 @@ class Findings:
         self.unmarked &= ~reverted
         return reverted
 
+    def forgive_set_aside(self, set_aside: NDArray[np.bool_]) -> int:
+        """Allow measured samples to be missing, or replaced, that a record sets aside.
+
+        So are those that are measured again.
+
+        Returns
+        -------
+        int
+            How many measured samples are set aside, or are no longer.
+        """
+        self.restored &= self.changed
+        gone = self.changed & set_aside & self.measured
+        self.measured &= ~(set_aside | self.restored)
+        left = self.empty & set_aside
+        self.empty &= ~(left | self.restored)
+        self.unmarked &= ~(left | self.restored)
+        return int(np.count_nonzero(gone | self.restored))
+
     def forgive_ends(self, runs: Iterable[tuple[slice, int]]) -> int:
         """Allow measured samples to be replaced where a repair covers the ends of a gap.
 
@@ -90,7 +119,11 @@ class Findings:
         return count
 
     def add(self, before: Piece, after: Piece) -> None:
-        """Note where two pieces differ."""
+        """Note where two pieces differ, and whether the first has what records say of it."""
+        if before.frame is not None:
+            self._look_at_originals(before, after)
+        if np.array_equal(before.raw, after.raw):
+            return
         if before.frame is None:
             offsets = before.offset + np.flatnonzero(before.raw != after.raw)
             starts = [start for start, _ in self._parts]
@@ -111,6 +144,16 @@ class Findings:
             start = layout.points * layout.slot
             values = _differs(before.raw[:, start:], after.raw[:, start:], layout.word)
             self.analog += values.reshape(-1, layout.channels).sum(axis=0)
+
+    def _look_at_originals(self, before: Piece, after: Piece) -> None:
+        assert before.frame is not None
+        here = slice(before.frame, before.frame + len(before.raw))
+        if self._former.mask[here].any():
+            self.restored[here] = self._former.equal(after)
+        if self._stated.mask[here].any():
+            # What was set aside before is not in the original any more.
+            first = self._stated.mask[here] & ~self._former.mask[here]
+            self.misstated[here] = first & ~self._stated.equal(before)
 
 
 def _missing(words: Words) -> NDArray[np.bool_]:

@@ -10,13 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from mocapmend import __version__
-from mocapmend.files.records import (
-    LONGEST_TEXT,
-    KeptGap,
-    RepairRecord,
-    kept_gaps,
-    repair_records,
-)
+from mocapmend.files.corrections import NO_CORRECTIONS, Corrections
+from mocapmend.files.record_values import LONGEST_TEXT
+from mocapmend.files.records import KeptGap, RepairRecord, kept_gaps, repair_records
 
 PROGRAM = f"mocapmend {__version__}"
 FORMAT = 1
@@ -39,6 +35,8 @@ class Provenance:
         The program that wrote it, with its version.
     kept_open : tuple of KeptGap
         Gaps that the user keeps open, ordered as the repairs. They are no repairs.
+    corrections : Corrections
+        What was put right besides filling gaps.
     """
 
     repairs: tuple[RepairRecord, ...]
@@ -46,11 +44,12 @@ class Provenance:
     converted: bool = False
     program: str = PROGRAM
     kept_open: tuple[KeptGap, ...] = ()
+    corrections: Corrections = NO_CORRECTIONS
 
     @property
     def says_nothing(self) -> bool:
         """Whether a file can do without it."""
-        return not (self.repairs or self.converted or self.kept_open)
+        return not (self.repairs or self.converted or self.kept_open or self.corrections)
 
 
 # --- the sidecar -----------------------------------------------------------------------------
@@ -67,6 +66,8 @@ def encode_sidecar(provenance: Provenance, output_sha256: str) -> bytes:
     }
     if provenance.kept_open:
         head["kept_open"] = [gap.as_json() for gap in provenance.kept_open]
+    for kind, entries in provenance.corrections.lists():
+        head[kind] = [entry.as_json() for entry in entries]
     return encode_document(head, "repairs", [record.as_json() for record in provenance.repairs])
 
 
@@ -92,7 +93,8 @@ def decode_sidecar(raw: bytes) -> tuple[Provenance, str]:
         raise ValueError("it does not say which file it belongs to")
     inputs = hashes(data.get("inputs"))
     converted, program = data.get("converted") is True, program_name(data.get("program"))
-    return Provenance(repairs, inputs, converted, program, kept), output
+    corrections = Corrections.from_lists(data)
+    return Provenance(repairs, inputs, converted, program, kept, corrections), output
 
 
 def hashes(data: object) -> tuple[str, ...]:

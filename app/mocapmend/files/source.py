@@ -1,16 +1,19 @@
 """A recording as it was read from a file of any format."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
+from mocapmend.files.corrections import SetAside, SmoothedRun
 from mocapmend.files.force_plate import ForcePlate
 from mocapmend.files.opening import Stamp
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.records import KeptGap, RepairRecord
+from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.gaps import Gap, find_gaps
 from mocapmend_algorithms.recording import Recording
 
@@ -81,6 +84,12 @@ class Source:
         The gap that each of these repairs fills, in their order.
     kept_open : mapping of Gap to KeptGap
         Gaps that the user keeps open, from the repair record too.
+    set_aside : mapping of Gap to SetAside
+        Runs whose measured samples count as missing, from the repair record.
+    moves : tuple of Move
+        What was exchanged between markers since the file was recorded, from there too.
+    smoothed : mapping of Gap to SmoothedRun
+        Runs that were smoothed, from there too.
     """
 
     path: Path
@@ -98,6 +107,9 @@ class Source:
     provenance: Provenance | None = None
     repaired: tuple[Gap, ...] = ()
     kept_open: Mapping[Gap, KeptGap] = field(default_factory=dict)
+    set_aside: Mapping[Gap, SetAside] = field(default_factory=dict)
+    moves: tuple[Move, ...] = ()
+    smoothed: Mapping[Gap, SmoothedRun] = field(default_factory=dict)
 
     @property
     def stored_points(self) -> tuple[int, ...]:
@@ -128,6 +140,37 @@ class Source:
         for gap in self.repaired:
             points[gap.start : gap.stop, gap.marker] = np.nan
         return self.recording.with_points(points)
+
+    @cached_property
+    def as_stored(self) -> Recording:
+        """The recording without any repair: as it was measured, as far as the file tells.
+
+        What was smoothed is so here too.
+        """
+        if not (self.set_aside or self.moves):
+            return self.measured
+        now = self.measured.points.copy()
+        for run, entry in self.set_aside.items():
+            now[run.start : run.stop, run.marker] = entry.samples[:, :3]
+        before = now.copy()
+        for move in self.moves:
+            before[move.start : move.stop, move.origin] = now[move.start : move.stop, move.marker]
+        return self.recording.with_points(before)
+
+    def place(self, run: Gap) -> tuple[str, int, int, int]:
+        """Return marker, point, first and last frame of a run as a repair record has them."""
+        recording = self.recording
+        first, last = recording.first_frame + run.start, recording.first_frame + run.stop - 1
+        return recording.labels[run.marker], self.stored_points[run.marker] + 1, first, last
+
+    def read_fourth(self, runs: Sequence[Gap]) -> list[NDArray[np.float32]]:
+        """Return what the file stores beside the coordinates of some runs; here it is nothing.
+
+        Returns
+        -------
+        list of ndarray, shape (frames of the run,)
+        """
+        return [np.zeros(run.length, np.float32) for run in runs]
 
     def open_gaps(self) -> list[Gap]:
         """Return the gaps of the measured samples that no earlier repair fills."""

@@ -14,20 +14,28 @@ from mocapmend.files.c3d_group import encode_group
 from mocapmend.files.c3d_new import room_for_records, write_new_c3d
 from mocapmend.files.c3d_numbers import Processor
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
+from mocapmend.files.corrections import (
+    NO_CORRECTIONS,
+    Corrections,
+    MovedRun,
+    Renamed,
+    SetAside,
+    SmoothedRun,
+)
 from mocapmend.files.formats.export_csv import write_csv
 from mocapmend.files.formats.export_npz import write_npz
 from mocapmend.files.formats.export_trc import write_trc
 from mocapmend.files.formats.table import FORMATS
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance
-from mocapmend.files.records import KeptGap, RecordedRun, RepairRecord
+from mocapmend.files.records import KeptGap, RepairRecord
 from mocapmend.files.repairs import listed_samples
 from mocapmend.files.saving import Saved, check_place
 from mocapmend.files.source import Source
 from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
-AnyRun = TypeVar("AnyRun", bound=RecordedRun)
+AnyEntry = TypeVar("AnyEntry", RepairRecord, KeptGap, SetAside, MovedRun, SmoothedRun, Renamed)
 GROUP = 6
 """A group number that no other group of a new file has."""
 
@@ -92,6 +100,7 @@ def write_recording(
     out: Path,
     *,
     kept_open: Sequence[KeptGap] = (),
+    corrections: Corrections = NO_CORRECTIONS,
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
@@ -110,6 +119,8 @@ def write_recording(
         Where the file goes.
     kept_open : sequence of KeptGap
         Its gaps that are kept open, points as in the source.
+    corrections : Corrections
+        What was put right in it besides filling gaps, points as in the source.
     replace_source : bool
         Whether `out` may be the source itself.
     accept_truncated : bool
@@ -129,7 +140,7 @@ def write_recording(
         raise MocapmendError(
             "The recording has no markers to write.", str(source.path), "Choose another one."
         )
-    provenance = _provenance(source, repairs, kept_open)
+    provenance = _provenance(source, repairs, kept_open, corrections)
     group = b""
     if provenance is not None and out.suffix.lower() == ".c3d":
         group = encode_group(provenance, GROUP, Processor.INTEL)
@@ -167,20 +178,37 @@ def _write_long(content: _Content, out: Path) -> tuple[str, ...]:
 
 
 def _provenance(
-    source: Source, repairs: Sequence[RepairRecord], kept_open: Sequence[KeptGap]
+    source: Source,
+    repairs: Sequence[RepairRecord],
+    kept_open: Sequence[KeptGap],
+    corrections: Corrections,
 ) -> Provenance | None:
     """Return the repair record of the new file, in which the points are the markers."""
-    if not (repairs or kept_open):
+    if not (repairs or kept_open or corrections):
         return None
     earlier = () if source.provenance is None else source.provenance.inputs
     with open_file(source.path) as (_, stamp):
         if stamp != source.stamp:
             raise changed_on_disk(source.path)
     inputs = (*earlier, sidecar.hash_file(source.path))
-    return Provenance(_moved(source, repairs), inputs, kept_open=_moved(source, kept_open))
+    markers = source.markers_by_point
+    exchanged = [
+        replace(entry, from_point=markers[entry.from_point] + 1) for entry in corrections.moved
+    ]
+    return Provenance(
+        _moved(source, repairs),
+        inputs,
+        kept_open=_moved(source, kept_open),
+        corrections=Corrections(
+            _moved(source, corrections.set_aside),
+            _moved(source, exchanged),
+            _moved(source, corrections.smoothed),
+            _moved(source, corrections.renamed),
+        ),
+    )
 
 
-def _moved(source: Source, entries: Sequence[AnyRun]) -> tuple[AnyRun, ...]:
+def _moved(source: Source, entries: Sequence[AnyEntry]) -> tuple[AnyEntry, ...]:
     """Return entries of a record whose points are the markers."""
     markers = source.markers_by_point
     moved = [replace(entry, point=markers[entry.point] + 1) for entry in entries]

@@ -7,20 +7,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mocapmend.believed import Correction
+from mocapmend.doubts import Change, Doubt, Doubts
 from mocapmend.edits import Edit, Repair
 from mocapmend.journal.file import Event, Record
 from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.registry import method, restore_params
 
 NO_FILL = -1
 
-Way = tuple[str, Any, tuple[str, ...]]
-"""How a gap was filled: method, parameters, donors."""
+Way = tuple[str, Any, tuple[str, ...], int]
+"""How a gap was filled: method, parameters, donors, and from which state of the samples."""
 
 
-def encode(text: str, edits: Sequence[Edit]) -> Record:
+def encode(text: str, edits: Sequence[Edit], correction: Correction | None = None) -> Record:
     """Return an undo command as a record.
 
     Parameters
@@ -29,6 +32,8 @@ def encode(text: str, edits: Sequence[Edit]) -> Record:
         What the user reads in the menu.
     edits : sequence of Edit
         What the runs shall hold. The patch of a repair is what its edit writes.
+    correction : Correction, optional
+        What is exchanged or set aside after that.
     """
     ways: dict[Way, int] = {}
     fills = [
@@ -38,7 +43,10 @@ def encode(text: str, edits: Sequence[Edit]) -> Record:
     patches = [edit.repair.patch for edit in edits if edit.repair is not None]
     event = {
         "step": text,
-        "ways": [[name, dataclasses.asdict(params), list(donors)] for name, params, donors in ways],
+        "ways": [
+            [name, dataclasses.asdict(params), list(donors), *([base] if base else [])]
+            for name, params, donors, base in ways
+        ],
         "gaps": len(edits),
         "samples": sum(edit.gap.length for edit in edits),
         "filled": sum(patch.gap.length for patch in patches),
@@ -46,6 +54,12 @@ def encode(text: str, edits: Sequence[Edit]) -> Record:
     # Journals of before have none, and what reads those passes it by.
     if reasons := {str(k): e.reason for k, e in enumerate(edits) if e.reason is not None}:
         event["reasons"] = reasons
+    if correction is not None:
+        event["correction"] = {
+            "exchanges": [list(each) for each in correction.exchanges],
+            "gone": _listed(correction.doubts.gone),
+            "come": _listed(correction.doubts.come),
+        }
     data = (
         *_bytes("<i8", [[(edit.gap.marker, edit.gap.start, edit.gap.stop) for edit in edits]]),
         *_bytes("<i4", [fills]),
@@ -76,12 +90,14 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
         event[name] for name in ("step", "gaps", "samples", "filled")
     )
     ways = [
-        (name, restore_params(method(name), params), tuple(donors))
-        for name, params, donors in event["ways"]
+        (name, restore_params(method(name), params), tuple(donors), *map(int, base))
+        for name, params, donors, *base in event["ways"]
     ]
-    _require(all(isinstance(donor, str) for *_, donors in ways for donor in donors))
+    _require(all(isinstance(donor, str) for _, _, donors, *_ in ways for donor in donors))
     _require(isinstance(text, str) and type(count) is type(samples) is type(filled_samples) is int)
-    _require(count > 0 and samples >= 0 and filled_samples >= 0)
+    _require(
+        (count > 0 or "correction" in event) and count >= 0 and samples >= 0 and filled_samples >= 0
+    )
     layout = (
         ("<i8", 3 * count),
         ("<i4", count),
@@ -114,17 +130,62 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
         own, band = slice(end - gap.length, end), slice(band_end - gap.length, band_end)
         repair = None
         if fill != NO_FILL:
-            name, params, donors = ways[fill]
+            name, params, donors, *base = ways[fill]
             patch = Patch(gap, values[own], sigma[band], r90[band])
-            repair = Repair(name, params, patch, donors)
+            repair = Repair(name, params, patch, donors, *base)
         reason = reasons.get(place)
         _require(reason is None or bool(missing[own].all()))
         edits.append(Edit(gap, values[own], states[own], repair, reason))
     return text, edits
 
 
+def decode_correction(event: Event, recording: Recording) -> Correction | None:
+    """Return what an undo command exchanges and sets aside; None for nothing.
+
+    Parameters
+    ----------
+    event : dict
+        What `encode` made.
+    recording : Recording
+        That it shall fit.
+
+    Raises
+    ------
+    AttributeError, KeyError, TypeError or ValueError
+        If it does not fit it, or is none.
+    """
+    stated = event.get("correction")
+    if stated is None:
+        return None
+    exchanges = tuple(Exchange(*map(int, each)) for each in stated["exchanges"])
+    gone, come = (_doubts(stated[name]) for name in ("gone", "come"))
+    for first, second, start, stop in exchanges:
+        _require(first != second)
+        for run in (Gap(first, start, stop), Gap(second, start, stop)):
+            _require_inside(run, recording)
+    for run in (*gone, *come):
+        _require_inside(run, recording)
+    return Correction(exchanges, Change(gone, come))
+
+
+def _listed(doubts: Doubts) -> list[list[int | str]]:
+    return [[*run, *doubt] for run, doubt in doubts.items()]
+
+
+def _doubts(rows: list[list[Any]]) -> dict[Gap, Doubt]:
+    found = {}
+    for marker, start, stop, problem, reason in rows:
+        _require(isinstance(problem, str) and isinstance(reason, str))
+        found[Gap(int(marker), int(start), int(stop))] = Doubt(problem, reason)
+    return found
+
+
+def _require_inside(run: Gap, recording: Recording) -> None:
+    _require(0 <= run.marker < recording.markers and 0 <= run.start < run.stop <= recording.frames)
+
+
 def _way(repair: Repair) -> Way:
-    return repair.method, repair.params, repair.donors
+    return repair.method, repair.params, repair.donors, repair.base
 
 
 def _bytes(dtype: str, parts: Iterable[ArrayLike]) -> Iterable[bytes]:

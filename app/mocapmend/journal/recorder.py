@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from threading import Event, Thread
 
+from mocapmend.believed import Correction
 from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source
@@ -74,9 +75,9 @@ class Recorder:
         except OSError as error:
             self._give_up(error)
 
-    def push(self, text: str, edits: Sequence[Edit]) -> None:
+    def push(self, text: str, edits: Sequence[Edit], correction: Correction | None = None) -> None:
         """Note an undo command before it is done; the edits are never changed after."""
-        self._write(lambda: encode(text, edits), later=len(edits) > AT_ONCE)
+        self._write(lambda: encode(text, edits, correction), later=len(edits) > AT_ONCE)
         self._index += 1
 
     def move(self, index: int) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
-from mocapmend.journal.edits import decode
+from mocapmend.journal.edits import decode, decode_correction
 from mocapmend.journal.file import JournalFile
 from mocapmend.journal.history import History, read_history, unusable
 
@@ -55,14 +55,18 @@ def resume(path: Path, document: Document) -> tuple[JournalFile, History]:
 
 def _replay(history: History, document: Document, path: Path) -> None:
     try:
-        steps = [decode(*step, document.original) for step in history.steps]
+        original = document.original
+        steps = [
+            (*decode(*step, original), decode_correction(step[0], original))
+            for step in history.steps
+        ]
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise unusable(path) from error
     stack = document.undo_stack
     if history.clean < 0:
         stack.resetClean()
-    for position, (text, edits) in enumerate(steps, start=1):
-        stack.push(EditSamples(document, edits, text))
+    for position, (text, edits, correction) in enumerate(steps, start=1):
+        stack.push(EditSamples(document, edits, text, correction))
         if position == history.clean:
             stack.setClean()
     stack.setIndex(history.index)

@@ -69,6 +69,7 @@ class Filling(QObject):
         self._later.setInterval(0)
         self._later.timeout.connect(self._go_on)
         self.job: Job | None = None
+        document.base_changed.connect(self._give_up)
 
     def stop(self) -> None:
         """Give up what is being computed: the document is going away."""
@@ -76,6 +77,63 @@ class Filling(QObject):
         if self.job is not None:
             self.job.abandon()
             self.job = None
+
+    def _give_up(self) -> None:
+        """Compute no more from samples that are not believed any more."""
+        if self.job is not None or self._later.isActive():
+            self.stop()
+            self._then = None
+            self._rest()
+
+    def refill(self) -> None:
+        """Fill those gaps again that were filled before what is believed changed."""
+        document = self._document
+        stale = document.stale
+        if not stale or self.job is not None:
+            return
+        of_way: dict[Way, list[Gap]] = {}
+        for gap in stale:
+            made = document.repairs[gap]
+            of_way.setdefault(Way(made.method, made.params), []).append(gap)
+        jobs = [engine.FillJob(*way, tuple(gaps)) for way, gaps in of_way.items()]
+        base = document.base_revision
+        title = self.tr("Filling {0} gaps again").format(len(stale))
+        job = self._jobs.compute(title, engine.fill_each, document.share_base(), jobs)
+        job.finished.connect(lambda results: self._take_again(jobs, results, base))
+        job.failed.connect(self.failed)
+        job.cancelled.connect(self._tell_stale)
+        job.ended.connect(self._end)
+        self.job = job
+        self.started.emit()
+
+    def _take_again(self, jobs: list[engine.FillJob], results: list[FillResult], base: int) -> None:
+        """Put the new fills in the place of the old ones, but for gaps that changed meanwhile."""
+        stale = set(self._document.stale)
+        edits = [
+            edit
+            for job, result in zip(jobs, results, strict=True)
+            for edit in Edit.fills(result, job.method, job.params, base)
+            if edit.gap in stale
+        ]
+        left = {
+            entry.gap: entry.reason
+            for result in results
+            for entry in result.unfilled
+            if entry.gap in stale
+        }
+        edits += map(Edit.clear, left)
+        self._document.leave_open(left)
+        if edits:
+            text = f"fill {len(edits)} gaps again"
+            self._do(EditSamples(self._document, edits, text))
+            self.message.emit(self.tr("Gaps filled again: {0}.").format(len(edits) - len(left)))
+
+    def _tell_stale(self) -> None:
+        self.message.emit(
+            self.tr("Cancelled: {0} fills are from before the correction.").format(
+                len(self._document.stale)
+            )
+        )
 
     def planned(self, way: Way, limits: Limits) -> tuple[FillResult, list[Gap]]:
         """Return what filling all gaps would do, and the gaps of which that is not known yet.
@@ -111,7 +169,7 @@ class Filling(QObject):
         job = self._jobs.compute(
             self.tr("Fill all gaps"),
             engine.fill_anyway,
-            self._document.share_original(),
+            self._document.share_base(),
             unknown,
             *way,
         )
@@ -169,7 +227,7 @@ class Filling(QObject):
     def _prepare(
         self, way: Way, result: FillResult, again: Callable[[], None], stand: Stand
     ) -> None:
-        edits, left = Edit.fills(result, *way), len(result.unfilled)
+        edits, left = Edit.fills(result, *way, self._document.base_revision), len(result.unfilled)
         text = f"fill {len(edits)} gaps ({way.method})"
         self._soon(partial(self._note, edits, text, left, again, stand))
 
@@ -201,4 +259,4 @@ class Filling(QObject):
 
     def _held(self, way: Way, limits: Limits, gaps: list[Gap], known: FillResult) -> FillResult:
         method = METHODS[way.method]
-        return hold_to(self._document.original, gaps, known, method, way.params, limits)
+        return hold_to(self._document.base, gaps, known, method, way.params, limits)

@@ -81,7 +81,7 @@ class GapActions(QObject):
         if preview.patch is None:
             self.message.emit(self.tr("This method leaves the gap open; choose another (M)."))
             return False
-        edit = Edit.fill(preview.patch, preview.method, preview.params, preview.donors)
+        edit = Edit.fill(preview.patch, *preview.way, preview.donors, self._document.base_revision)
         self._push([edit], f"fill {self._name(preview.gap)} ({preview.method})")
         return True
 

@@ -108,7 +108,7 @@ class Previewer(QObject):
         job = self._jobs.compute(
             self.tr("Preview"),
             engine.fill_gap,
-            self._document.share_original(),
+            self._document.share_base(),
             gap,
             *way,
             quiet=True,

@@ -76,7 +76,7 @@ class ProofActions(QObject):
         def compute(prepared: tuple[replaying.Plan, bool]) -> None:
             if self._window.documents.of(workspace.document) is None:
                 return
-            original, jobs = workspace.document.share_original(), prepared[0].jobs
+            original, jobs = workspace.document.share_base(), prepared[0].jobs
             job = self._window.jobs.compute(title, replaying.fill, original, jobs)
             job.finished.connect(
                 lambda results: self._accept(workspace, revision, path, prepared, results)

@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.document import Document
-from mocapmend.files.records import LONGEST_TEXT, NO_REASON
+from mocapmend.files.record_values import LONGEST_TEXT
+from mocapmend.files.records import NO_REASON
 from mocapmend.views.catalogue.reasons import USUAL
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.tables import frames_text

@@ -50,6 +50,7 @@ class Survey(QObject):
         self.on = False
         self.portions = 0
         """How many were computed."""
+        document.base_changed.connect(self._abandon)
         document.samples_changed.connect(self._go_on)
 
     def start(self) -> None:
@@ -60,6 +61,9 @@ class Survey(QObject):
     def stop(self) -> None:
         """Do no more; what is known is kept."""
         self.on = False
+        self._abandon()
+
+    def _abandon(self) -> None:
         if self._job is not None:
             self._job.abandon()
             self._job = None
@@ -95,7 +99,7 @@ class Survey(QObject):
         job = self._jobs.compute(
             self.tr("Ranking"),
             engine.fill_anyway,
-            self._document.share_original(),
+            self._document.share_base(),
             gaps,
             *way,
             quiet=True,

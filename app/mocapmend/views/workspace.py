@@ -97,6 +97,8 @@ class Workspace(PanedWindow):
         self.view = ViewState(original.frames, self)
         self.player = Player(self.view, original.rate, self)
         self.prospects = Prospects()
+        # Before all that asks them what to do.
+        document.base_changed.connect(self.prospects.clear)
         self.survey = Survey(document, self.prospects, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.do, self)
@@ -476,7 +478,7 @@ class Workspace(PanedWindow):
 
 def _do(document: Document, recorder: Recorder, command: EditSamples) -> None:
     """Do an undo command, and have it in the journal first."""
-    recorder.push(command.text(), command.edits)
+    recorder.push(command.text(), command.edits, command.correction)
     document.undo_stack.push(command)
 
 

@@ -1,0 +1,84 @@
+"""Some frames of a recording, in which every piece is looked at."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mocapmend_algorithms.arrays import FloatArray, IntArray
+from mocapmend_algorithms.labelling.result import Piece
+
+MOST_EVEN = 400
+LEAST_OF_PIECE = 3
+MOST_FRAMES = 1500
+
+
+@dataclass(frozen=True, eq=False)
+class Sampled:
+    """The points that are seen in some frames, without the room for those that are not.
+
+    Attributes
+    ----------
+    frames : ndarray of int, shape (samples,)
+        Which frames.
+    pieces : ndarray of int, shape (samples, slots)
+        Index of the piece in each slot; -1 where the slot is empty.
+    points : ndarray, shape (samples, slots, 3)
+        NaN where it is empty.
+    """
+
+    frames: IntArray
+    pieces: IntArray
+    points: FloatArray
+
+    def labels(self, of_pieces: IntArray) -> IntArray:
+        """Return the label in each slot, from the labels of the pieces."""
+        return np.where(self.pieces >= 0, np.append(of_pieces, -1)[self.pieces], -1)
+
+    def mean(self, values: FloatArray, count: int) -> FloatArray:
+        """Average values, shape (samples, slots, n), over each of `count` pieces; NaN if unseen."""
+        taken = self.pieces >= 0
+        where = self.pieces[taken]
+        total = np.zeros((count, values.shape[2]))
+        np.add.at(total, where, values[taken])
+        number = np.bincount(where, minlength=count).astype(np.float64)
+        number[number == 0] = np.nan
+        return total / number[:, None]
+
+
+def sample(points: FloatArray, pieces: Sequence[Piece]) -> Sampled:
+    """Choose frames: evenly spread ones, and more where a piece would be seen in too few.
+
+    Parameters
+    ----------
+    points : ndarray, shape (frames, points, 3)
+        In mm.
+    pieces : sequence of Piece
+        All that is to be seen.
+    """
+    frames = points.shape[0]
+    chosen = np.zeros(frames, np.bool_)
+    if frames:
+        chosen[np.linspace(0, frames - 1, min(frames, MOST_EVEN)).round().astype(np.int64)] = True
+    for piece in sorted(pieces, key=lambda each: each.length):
+        own = chosen[piece.start : piece.stop]
+        lacking = min(LEAST_OF_PIECE, piece.length) - int(own.sum())
+        # So many that the longest recordings are looked at in bearable time.
+        if lacking > 0 and (own.sum() == 0 or chosen.sum() < MOST_FRAMES):
+            places = (np.arange(lacking) + 0.5) / lacking * piece.length
+            own[places.astype(np.int64)] = True
+    return gathered(points, pieces, np.flatnonzero(chosen))
+
+
+def gathered(points: FloatArray, pieces: Sequence[Piece], frames: IntArray) -> Sampled:
+    """Return what is seen in given frames."""
+    number = np.full(points.shape[:2], -1, np.int64)
+    for k, piece in enumerate(pieces):
+        number[piece.start : piece.stop, piece.point] = k
+    there = number[frames]
+    slots = int((there >= 0).sum(axis=1).max(initial=0))
+    order = np.argsort(there < 0, axis=1, kind="stable")[:, :slots]
+    taken = np.take_along_axis(there, order, axis=1)
+    places = np.take_along_axis(points[frames], order[:, :, None], axis=1)
+    places[taken < 0] = np.nan
+    return Sampled(frames, taken, places)

@@ -1,0 +1,1 @@
+"""Smoothing: makes measured and filled samples less jittery, never silently."""

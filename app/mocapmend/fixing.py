@@ -1,0 +1,69 @@
+"""Bad samples that detectors find, put right as a plan says. No Qt."""
+
+from collections.abc import Iterable, Sequence
+
+from mocapmend.doubts import Doubt
+from mocapmend.layers import Layers
+from mocapmend_algorithms import Gap, Progress
+from mocapmend_algorithms.corrections import Exchange
+from mocapmend_algorithms.problems import BadRun, detect, registry
+from mocapmend_algorithms.progress import part
+from mocapmend_algorithms.skeleton import Skeleton
+
+
+def fix(
+    layers: Layers, skeleton: Skeleton, ids: Iterable[str], progress: Progress
+) -> tuple[Layers, list[BadRun]]:
+    """Look for bad samples, and put right what is found.
+
+    What is exchanged comes first: the rest is looked for in samples that are where they belong.
+
+    Parameters
+    ----------
+    layers : Layers
+        What was corrected before.
+    skeleton : Skeleton
+        The recording's bones.
+    ids : iterable of str
+        The detectors.
+    progress : Progress
+        Called often; may cancel.
+
+    Returns
+    -------
+    layers : Layers
+        With what is exchanged and set aside now.
+    fixed : list of BadRun
+        What was found and put right, by marker and start.
+
+    Raises
+    ------
+    KeyError
+        If there is no detector of an id; the message lists the ids.
+    """
+    chosen = registry.chosen(ids)
+    fixed: list[BadRun] = []
+    for count, remedy in enumerate(("exchange", "missing")):
+        names = [each.id for each in chosen if each.remedy == remedy]
+        step = part(progress, count / 2.0, (count + 1) / 2.0)
+        found = detect(layers.recording, skeleton, names, step) if names else []
+        found = [run for run in found if is_fixable(run)]
+        layers = layers.corrected(*remedies(found))
+        fixed += found
+    return layers, sorted(fixed, key=lambda run: (run.marker, run.start))
+
+
+def is_fixable(run: BadRun) -> bool:
+    """Say whether there is something to do: a ghost belongs to no marker."""
+    return registry.detector(run.kind).remedy == "missing" or run.other is not None
+
+
+def remedies(found: Sequence[BadRun]) -> tuple[list[Exchange], dict[Gap, Doubt]]:
+    """Return what puts bad samples right: exchanges, and runs to be set aside after these."""
+    exchanges, aside = [], {}
+    for run in found:
+        if registry.detector(run.kind).remedy == "missing":
+            aside[Gap(run.marker, run.start, run.stop)] = Doubt(run.kind, run.reason)
+        elif run.other is not None:
+            exchanges.append(Exchange(run.marker, run.other, run.start, run.stop))
+    return exchanges, aside
