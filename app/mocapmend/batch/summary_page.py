@@ -10,7 +10,7 @@ from urllib.parse import quote
 import numpy as np
 
 from mocapmend import __version__
-from mocapmend.batch.results import Reason, Row
+from mocapmend.batch.results import Fixed, Reason, Row
 from mocapmend.batch.totals import Totals
 from mocapmend.report import charts
 from mocapmend.report.content import Bullets, Content, Figures, Pairs, Part, Section, Text
@@ -35,8 +35,8 @@ class Facts:
         Where the recordings are and where their copies go.
     plan : Path
         The plan's file.
-    method, limits : str
-        What it says, for people.
+    method, limits, fix, smoothing : str
+        What it says, for people; "" where it says nothing.
     seconds : float
         How long this run took.
     workers : str
@@ -48,6 +48,8 @@ class Facts:
     plan: Path
     method: str
     limits: str
+    fix: str
+    smoothing: str
     seconds: float
     workers: str
 
@@ -57,6 +59,7 @@ def contents(rows: Sequence[Row], facts: Facts) -> Content:
     sections = (
         Section("attention", "What could not be repaired", tuple(_failed(rows))),
         Section("open", "Why gaps stayed open", tuple(_reasons(rows))),
+        Section("fixed", "Bad samples put right", tuple(_fixed(rows))),
         Section("success", "Tracking success", tuple(_success(rows))),
         Section("files", "Files", tuple(_files(rows))),
         Section("warnings", "Warnings about the files", tuple(_warnings(rows))),
@@ -73,7 +76,12 @@ def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
     totals = Totals.of(rows)
     yield "Recordings", str(facts.folder)
     yield "Repaired copies", str(facts.out)
-    yield "Plan", f"{facts.plan.name}: {facts.method}; limits: {facts.limits}"
+    yield "Plan", facts.plan.name
+    if facts.fix:
+        yield "Bad samples", f"found by {facts.fix}: {totals.samples_fixed} put right"
+    yield "Filling", f"{facts.method}; limits: {facts.limits}"
+    if facts.smoothing:
+        yield "Smoothing", f"{facts.smoothing}, {totals.files_smoothed} files"
     states = (
         (totals.repaired, "repaired now"),
         (totals.unchanged, "repaired by an earlier run"),
@@ -135,6 +143,26 @@ def _reason(reason: Reason) -> tuple[str, str, str]:
     return str(reason.gaps), str(reason.samples), such + reason.example
 
 
+def _fixed(rows: Sequence[Row]) -> Iterator[Part]:
+    kinds: dict[str, list[Fixed]] = {}
+    for row in rows:
+        for fixed in row.figures.fixed if row.figures else ():
+            kinds.setdefault(fixed.kind, []).append(fixed)
+    if kinds:
+        yield Table(
+            (Column("Kind", "name"), Column("Files"), Column("Runs"), Column("Samples")),
+            tuple(
+                (
+                    kind,
+                    str(len(all_of)),
+                    str(sum(each.runs for each in all_of)),
+                    str(sum(each.samples for each in all_of)),
+                )
+                for kind, all_of in sorted(kinds.items())
+            ),
+        )
+
+
 def _success(rows: Sequence[Row]) -> Iterator[Part]:
     known = [
         (row.figures.tracked_before, row.figures.tracked_after)
@@ -184,6 +212,9 @@ def _files(rows: Sequence[Row]) -> Iterator[Part]:
             Column("Filled without estimate"),
             Column("Markers tracked before (%)"),
             Column("after (%)"),
+            Column("Bad samples put right"),
+            Column("Smoothing, rms shift (mm)"),
+            Column("largest (mm)"),
             Column("Seconds"),
             Column("Report"),
         ),
@@ -197,7 +228,8 @@ def _row(row: Row) -> tuple[str, ...]:
     figures, report = row.figures, "report" if row.report else "—"
     if figures is None:
         seconds = number(row.seconds if row.state == "failed" else nan, 1)
-        return (row.file, STATES[row.state], *["—"] * 12, seconds, report)
+        return (row.file, STATES[row.state], *["—"] * 15, seconds, report)
+    smoothed = figures.smoothed
     return (
         row.file,
         STATES[row.state],
@@ -218,13 +250,16 @@ def _row(row: Row) -> tuple[str, ...]:
         str(figures.no_estimate),
         _share(figures.tracked_before),
         _share(figures.tracked_after),
+        str(figures.samples_fixed),
+        _millimetres(smoothed.rms_mm if smoothed else None, 2),
+        _millimetres(smoothed.largest_mm if smoothed else None, 2),
         number(row.seconds, 1),
         report,
     )
 
 
 def _links(row: Row) -> tuple[str, ...]:
-    return _href(row.output), *[""] * 14, _href(row.report)
+    return _href(row.output), *[""] * 17, _href(row.report)
 
 
 def _href(path: str | None) -> str:
@@ -261,5 +296,5 @@ def _share(value: float | None) -> str:
     return percent(nan if value is None else value)
 
 
-def _millimetres(value: float | None) -> str:
-    return number(nan if value is None else value)
+def _millimetres(value: float | None, decimals: int = 1) -> str:
+    return number(nan if value is None else value, decimals)
