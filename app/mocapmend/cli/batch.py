@@ -118,6 +118,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         plan=arguments.plan,
         method=method_text(*plan.way),
         limits=_limits_text(plan),
+        fix=", ".join(plan.fix),
+        smoothing="" if plan.smooth is None else method_text(*plan.smooth),
         seconds=time.monotonic() - start,
         workers=workers,
     )
@@ -186,6 +188,8 @@ def _tell(batch: Batch, facts: Facts, console: Console) -> int:
         plan=str(facts.plan),
         method=facts.method,
         limits=facts.limits,
+        fix=list(batch.order.plan.fix),
+        smoothing=facts.smoothing or None,
         workers=facts.workers,
         interrupted=totals.waiting > 0,
         seconds=facts.seconds,
@@ -210,8 +214,12 @@ def _tell(batch: Batch, facts: Facts, console: Console) -> int:
 def _say(totals: Totals, facts: Facts, console: Console) -> None:
     files, gaps = common.count(totals.files, "file"), common.count(totals.gaps, "gap")
     console.say(f"Repaired: {totals.done} of {files}{_of_those(totals)}")
+    if facts.fix:
+        console.say(f"Fixed:    {common.count(totals.samples_fixed, 'bad sample')} ({facts.fix})")
     samples = common.count(totals.samples_filled, "sample")
     console.say(f"Filled:   {totals.filled} of {gaps}, {samples}")
+    if facts.smoothing:
+        console.say(f"Smoothed: {common.count(totals.files_smoothed, 'file')} ({facts.smoothing})")
     console.say(f"Time:     {duration(facts.seconds)} with {facts.workers}")
 
 

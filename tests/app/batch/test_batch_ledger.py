@@ -8,7 +8,7 @@ import pytest
 from batch_trials import write_trial
 
 from mocapmend.batch.ledger import NAME, Ledger
-from mocapmend.batch.results import Figures, Finished, Reason, Row, Seen
+from mocapmend.batch.results import Figures, Finished, Fixed, Reason, Row, Seen, Smoothed
 from mocapmend.batch.seeing import is_still, see
 from mocapmend.errors import MocapmendError
 from mocapmend.files.sidecar import sidecar_path
@@ -16,7 +16,7 @@ from mocapmend.files.sidecar import sidecar_path
 FIGURES = Figures(
     frames=10, markers=2, rate_hz=100.0, gaps=3, filled=1, left_open=2, samples_missing=9,
     samples_filled=2, reasons=(Reason(2, 7, "too long"),), expected_worst_mm=1.5,
-    warnings=("odd",),
+    fixed=(Fixed("spikes", 1, 2),), smoothed=Smoothed(2, 0.5, 1.5), warnings=("odd",),
 )  # fmt: skip
 ROW = Row(file="s/ö.c3d", state="repaired", figures=FIGURES, output="s/ö.c3d", seconds=1.25)
 FINISHED = Finished(ROW, Seen(1, 2, "a" * 64), Seen(3, 4, "b" * 64, "c" * 64))
