@@ -27,6 +27,8 @@ FLOOR_MM = 0.3
 """What no system measures better: in simulated motion the noise is 0."""
 SHARP = 0.4
 """Of the deviation, the step at either end: what goes out and comes back by degrees is motion."""
+SHARP_LONG = 0.6
+"""The same of spikes of more than five frames, in which much can happen."""
 LEAST_SHARE = 0.15
 """Of the deviation, that of the best sample of a spike."""
 SMALL_MM = 12.0
@@ -52,7 +54,7 @@ class SpikesParams:
         unit="mm",
     )
     longest_ms: float = option(
-        60.0,
+        100.0,
         label="Longest spike",
         text="What is away for longer may be anything; but up to 5 frames are always looked at.",
         minimum=0.0,
@@ -167,6 +169,8 @@ def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolAr
     into = np.where(np.isnan(into), fits.first, into)
     back = np.where(np.isnan(back), fits.last, back)
     enough: BoolArray = np.maximum(into, back) >= SHARP * fits.away
+    if length > LEAST_LONGEST:
+        enough = np.minimum(into, back) >= SHARP_LONG * fits.away
     return enough & (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
 
 
