@@ -31,7 +31,8 @@ SHARP_LONG = 0.6
 """The same of spikes of more than five frames, in which much can happen."""
 LEAST_SHARE = 0.15
 """Of the deviation, that of the best sample of a spike."""
-SMALL_MM = 12.0
+SMALL_MM, LARGE_MM = 12.0, 50.0
+"""What is smaller than the one must be surer; motion is no excuse for more than the other."""
 PER_FRAME = 0.12
 NEXT_BREAKS = 6
 LEAST_LONGEST = 5
@@ -156,8 +157,9 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
 
 def _needed(away: FloatArray, length: int, params: SpikesParams) -> FloatArray:
     """Ask for more certainty where less is at stake, and where motion has more time."""
-    small = np.maximum(1.0, SMALL_MM / np.maximum(away, 1e-9))
-    needed: FloatArray = params.times_noise * (1.0 + PER_FRAME * (length - 1)) * small
+    away = np.maximum(away, 1e-9)
+    longer = 1.0 + PER_FRAME * (length - 1) * np.minimum(1.0, LARGE_MM / away)
+    needed: FloatArray = params.times_noise * longer * np.maximum(1.0, SMALL_MM / away)
     return needed
 
 
