@@ -27,9 +27,12 @@ FLOOR_MM = 0.3
 """What no system measures better: in simulated motion the noise is 0."""
 SHARP = 0.4
 """Of the deviation, the step at either end: what goes out and comes back by degrees is motion."""
+SHARP_LONG = 0.6
+"""The same of spikes of more than five frames, in which much can happen."""
 LEAST_SHARE = 0.15
 """Of the deviation, that of the best sample of a spike."""
-SMALL_MM = 12.0
+SMALL_MM, LARGE_MM = 12.0, 50.0
+"""What is smaller than the one must be surer; motion is no excuse for more than the other."""
 PER_FRAME = 0.12
 NEXT_BREAKS = 6
 LEAST_LONGEST = 5
@@ -52,7 +55,7 @@ class SpikesParams:
         unit="mm",
     )
     longest_ms: float = option(
-        60.0,
+        100.0,
         label="Longest spike",
         text="What is away for longer may be anything; but up to 5 frames are always looked at.",
         minimum=0.0,
@@ -154,8 +157,9 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
 
 def _needed(away: FloatArray, length: int, params: SpikesParams) -> FloatArray:
     """Ask for more certainty where less is at stake, and where motion has more time."""
-    small = np.maximum(1.0, SMALL_MM / np.maximum(away, 1e-9))
-    needed: FloatArray = params.times_noise * (1.0 + PER_FRAME * (length - 1)) * small
+    away = np.maximum(away, 1e-9)
+    longer = 1.0 + PER_FRAME * (length - 1) * np.minimum(1.0, LARGE_MM / away)
+    needed: FloatArray = params.times_noise * longer * np.maximum(1.0, SMALL_MM / away)
     return needed
 
 
@@ -167,6 +171,8 @@ def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolAr
     into = np.where(np.isnan(into), fits.first, into)
     back = np.where(np.isnan(back), fits.last, back)
     enough: BoolArray = np.maximum(into, back) >= SHARP * fits.away
+    if length > LEAST_LONGEST:
+        enough = np.minimum(into, back) >= SHARP_LONG * fits.away
     return enough & (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
 
 

@@ -112,16 +112,20 @@ def _taken_back(canvas: Canvas, runs: Sequence[BadRun]) -> list[bool]:
         pair = [run.marker, run.other]
         points[run.start : run.stop, pair] = points[run.start : run.stop, pair[::-1]]
     right = (points == canvas.source.points) | np.isnan(points)
-    return [
-        bool(right[error.start : error.stop, list(error.markers)].all())
-        for error in canvas.errors
-        if any(
-            {run.marker, run.other} == set(error.markers)
+    exact = []
+    for error in canvas.errors:
+        mine = [
+            run
+            for run in runs
+            if {run.marker, run.other} == set(error.markers)
             and run.start < error.stop
             and error.start < run.stop
-            for run in runs
-        )
-    ]
+        ]
+        if mine:
+            low = min(error.start, *(run.start for run in mine))
+            high = max(error.stop, *(run.stop for run in mine))
+            exact.append(bool(right[low:high, list(error.markers)].all()))
+    return exact
 
 
 def _rival(
