@@ -25,7 +25,8 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
     ----------
     state : SampleState
         Measured samples are a thin line, missing ones a full bar, bad ones are hatched and fills
-        are two rails. Any further state is a ladder.
+        are two rails. Smoothed samples are a line that reaches the top. Any further state is a
+        ladder.
     height : int
         Pixels of the lane.
 
@@ -41,6 +42,7 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
         SampleState.MISSING: np.ones_like(rails),
         SampleState.BAD: (x + y) % PERIOD < PERIOD // 2,
         SampleState.FILLED: rails,
+        SampleState.SMOOTHED: y < height - rail,
     }
     return np.asarray(shapes.get(state, rails | (x < PERIOD // 2)))
 
