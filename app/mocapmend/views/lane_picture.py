@@ -11,7 +11,7 @@ from mocapmend.views.columns import column_edges
 from mocapmend.views.run_index import RunIndex
 
 PERIOD = 4
-"""Columns after which a hatch repeats."""
+"""Columns after which a pattern repeats."""
 # Missing last: a gap must show even where it shares its column with others.
 PAINTED = sorted(set(SampleState) - {SampleState.MEASURED}, key=lambda s: s is SampleState.MISSING)
 
@@ -24,7 +24,7 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
     Parameters
     ----------
     state : SampleState
-        Measured samples are a thin line, missing ones a full bar, bad ones are hatched and fills
+        Measured samples are a thin line, missing ones a full bar, bad ones are a chequered bar and fills
         are two rails. Smoothed samples are a line that reaches the top. Any further state is a
         ladder.
     height : int
@@ -40,7 +40,7 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
     shapes = {
         SampleState.MEASURED: ~rails,
         SampleState.MISSING: np.ones_like(rails),
-        SampleState.BAD: (x + y) % PERIOD < PERIOD // 2,
+        SampleState.BAD: (2 * x // PERIOD + y) % 2 == 0,
         SampleState.FILLED: rails,
         SampleState.SMOOTHED: y < height - rail,
     }
@@ -129,7 +129,7 @@ class LanePicture:
         return image
 
     def _colours(self, height: int) -> NDArray[np.uint32]:
-        """Return the colour of every state and phase of the hatch, by row of a lane."""
+        """Return the colour of every state and column of the pattern, by row of a lane."""
         ground = QColor(self._theme.window).rgb()
         table = np.full((height, len(SampleState), PERIOD), ground, np.uint32)
         for state in SampleState:
