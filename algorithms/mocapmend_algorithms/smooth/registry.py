@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mocapmend_algorithms.fill import params
+from mocapmend_algorithms import params
 from mocapmend_algorithms.smooth import butterworth, gcv, kalman_smoother, savgol
 from mocapmend_algorithms.smooth.contract import SmoothFunction
 

@@ -10,8 +10,8 @@ from statistics import median
 from mocapmend import __version__
 from mocapmend.report.model import About, RepairRow, Report
 from mocapmend.report.sources import SOURCES
-from mocapmend_algorithms.fill.params import write_words
 from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.params import write_words
 
 MOST_REASONS = 4
 MOST_SETTINGS = 6
