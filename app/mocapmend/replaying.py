@@ -207,8 +207,8 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     made = earlier(planned.layers, without=planned.reopened)
     for job, result in zip(planned.jobs, results, strict=True):
         made = filled(made, result, job.method, job.params)
-    for result in smooth(made.recording, planned.smoothing, progress):
-        made = smoothed(made, result)
+    for curves in smooth(made.recording, planned.smoothing, progress):
+        made = smoothed(made, curves)
     kept_open = {**made.kept_open, **planned.kept_open}
     gaps = [gap for job in planned.jobs for gap in job.gaps]
     for gap in (*planned.freed, *_overlapping(source, gaps, source.kept_open)):

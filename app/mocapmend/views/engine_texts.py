@@ -15,11 +15,13 @@ from mocapmend.views.catalogue.errors import ERRORS
 from mocapmend.views.catalogue.reasons import REASONS
 from mocapmend.views.catalogue.warnings import WARNINGS
 from mocapmend_algorithms.fill.registry import method_label
+from mocapmend_algorithms.smooth.registry import smoother_label
 
 SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS)
 _PLACE = re.compile(r"\{\d\}")
 _METHOD_LAST = {"fill {0} gaps ({1})", "fill {0} ({1})"}
 """Sentences whose last part is a method's id; a marker may be called like one."""
+_SMOOTHER_LAST = {"smooth {0} markers ({1})", "smooth {0} ({1})"}
 
 
 def method_text(text: str) -> str:
@@ -30,6 +32,11 @@ def method_text(text: str) -> str:
 def method_name(method_id: str) -> str:
     """Return a method's label in the user's language; the id of one that is not known."""
     return method_text(method_label(method_id))
+
+
+def smoother_name(smoother_id: str) -> str:
+    """Return a smoothing method's label in the user's language, as `method_name`."""
+    return method_text(smoother_label(smoother_id))
 
 
 def segment_name(name: str) -> str:
@@ -57,6 +64,8 @@ def shown(text: str) -> str:
     translated = QCoreApplication.translate("Sentences", template)
     if template in _METHOD_LAST:
         return translated.format(*parts[:-1], method_name(parts[-1]))
+    if template in _SMOOTHER_LAST:
+        return translated.format(*parts[:-1], smoother_name(parts[-1]))
     return translated.format(*map(_shown_part, parts)) if parts else translated
 
 

@@ -60,6 +60,7 @@ class Trajectories(PlotCanvas):
         view.gap_changed.connect(self.update)
         view.preview_changed.connect(self.repaint_plots)
         view.candidates_changed.connect(self.repaint_plots)
+        view.smoothing_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
 
     def set_theme(self, theme: Theme) -> None:
@@ -153,6 +154,7 @@ class Trajectories(PlotCanvas):
             self._view.visible,
             self._view.preview,
             self._view.others,
+            smoothing=self._view.smoothing,
             same_scale=self._same_scale,
         )
         if self._separate:
