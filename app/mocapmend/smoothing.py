@@ -1,6 +1,6 @@
 """Smoothing as a user asks for it: of which markers, where, and what to know before. No Qt."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,14 +10,11 @@ from mocapmend import engine
 from mocapmend.state import ABSENT
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.smooth.contract import SmoothedRun, SmoothResult
+from mocapmend_algorithms.smooth.registry import AMOUNTS
 from mocapmend_algorithms.smooth.residual_curve import ResidualCurve, residual_curve
 
 NOTHING_FOUND = 0.65
 """Share of half the frame rate from which a cut-off that was chosen takes next to nothing away."""
-
-
-GIVEN = ("cutoff_hz", "window_ms", "noise_mm")
-"""Parameters with which a user says how much to smooth."""
 
 
 class SmoothWay(NamedTuple):
@@ -96,7 +93,7 @@ def look_ahead(
 
 def found_nothing(done: SmoothedRun, params: Any, rate: float) -> bool:
     """Say whether a method, left to choose how much to smooth, has found nothing in a run."""
-    if any(getattr(params, name, None) is not None for name in GIVEN):
+    if any(getattr(params, name, None) is not None for name in AMOUNTS):
         return False
     windows = done.chosen.get("window_frames")
     if windows is not None:
@@ -104,9 +101,3 @@ def found_nothing(done: SmoothedRun, params: Any, rate: float) -> bool:
         return bool(max(windows) < params.order + 4)
     cutoffs = done.chosen.get("cutoff_hz", ())
     return bool(cutoffs) and min(cutoffs) >= NOTHING_FOUND * rate / 2
-
-
-def cutoff_text(chosen: Mapping[str, Any]) -> str:
-    """Write the cut-offs of a smoothed run in Hz: of x, y and z, or one where they are equal."""
-    cutoffs = [f"{hz:.1f}" for hz in chosen.get("cutoff_hz", ())]
-    return " ".join(cutoffs if len(set(cutoffs)) > 1 else cutoffs[:1])

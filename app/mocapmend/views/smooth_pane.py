@@ -18,9 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from mocapmend import wording
 from mocapmend.document import Document
 from mocapmend.settings import SMOOTH_ALL, SMOOTHER, Settings
-from mocapmend.smoothing import SmoothWay, cutoff_text, found_nothing, runs_of
+from mocapmend.smoothing import SmoothWay, found_nothing, runs_of
 from mocapmend.theme import Theme
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.engine_texts import method_text, shown, smoother_name
@@ -255,7 +256,7 @@ class SmoothPane(QScrollArea):
         for run, how in made[:MOST_NAMED]:
             text = self.tr("{0}, {1} Hz, moved by {2} mm RMS").format(
                 escape(smoother_name(how.method)),
-                cutoff_text(how.chosen) or "–",
+                wording.cutoffs(how.chosen.get("cutoff_hz", ())) or "–",
                 f"{how.rms * document.original.mm:.2f}",
             )
             if run.length < frames:

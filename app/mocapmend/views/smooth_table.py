@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem, QWidget
 
+from mocapmend import wording
 from mocapmend.document import Document
-from mocapmend.smoothing import cutoff_text
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.tables import RIGHT, align_right, dress, narrow
 from mocapmend_algorithms import Gap
@@ -58,7 +58,7 @@ class SmoothTable(QTableWidget):
             tick = "✔ " if applied(done.run) else ""
             texts = (
                 tick + names[done.run.marker],
-                cutoff_text(done.chosen),
+                wording.cutoffs(done.chosen.get("cutoff_hz", ())),
                 f"{done.rms * mm:.2f}",
                 f"{done.largest * mm:.1f}",
             )
