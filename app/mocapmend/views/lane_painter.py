@@ -39,7 +39,7 @@ LEAST_NUMBERED = 70.0
 """Pixels that a gap takes before the candidates have their numbers: else they lie in a heap."""
 DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
 """Of the candidates by their numbers."""
-SMOOTHING_DASHES = [5.0, 4.0]
+SMOOTHING_DASHES = [3.0, 4.0]
 BEHIND = 0.67
 """Share of the colours of the curves that are not worked on."""
 
@@ -242,8 +242,8 @@ class LanePainter:
     ) -> None:
         """Draw runs as they would be when they are smoothed, dashed."""
         painter.setClipRect(frame.rect)
-        # Thin: what is measured is seen between the dashes.
-        pen = thin(painter, self.theme.preview)
+        # What is measured is seen between the dashes.
+        pen = QPen(QColor(self.theme.preview), 2)
         pen.setDashPattern(SMOOTHING_DASHES)
         for done in smoothing:
             curve = next((c for c in lane.curves if done.run.marker in c.markers), None)

@@ -8,12 +8,14 @@ from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, replaying, unsaved
 from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
 from mocapmend.plan import Plan, read_plan, write_plan
 from mocapmend.replay_edits import replayed
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -183,14 +185,48 @@ class ProofActions(QObject):
             self._window.say(self.tr("The recording was edited meanwhile: replay again."))
             return
         edits = replayed(document, planned, results)
-        if not edits:
+        if not edits and not planned.smoothing:
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
-        workspace.push(edits, f"replay {path.name}")
+        if edits:
+            workspace.push(edits, f"replay {path.name}")
         text = self.tr("{0} edits made again.")
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
-        self._window.say(text.format(len(edits)))
+        told = text.format(len(edits))
+        if planned.smoothing:
+            self._smooth(workspace, path, planned.smoothing, told)
+        else:
+            self._window.say(told)
+
+    def _smooth(
+        self,
+        workspace: "Workspace",
+        path: Path,
+        jobs: tuple[replaying.SmoothJob, ...],
+        told: str,
+    ) -> None:
+        """Smooth what a recipe smooths, now that its other edits are made."""
+        document, revision = workspace.document, workspace.document.revision
+
+        def accept(results: list[SmoothResult]) -> None:
+            if self._window.documents.of(document) is None:
+                return
+            if revision != document.revision:
+                self._window.say(self.tr("The recording was edited meanwhile: replay again."))
+                return
+            edits = [
+                edit for result in results for edit in Edit.smoothings(result, document.beneath)
+            ]
+            workspace.push(edits, f"replay the smoothing of {path.name}")
+            text = self.tr("{0} Stretches smoothed again: {1}.")
+            self._window.say(text.format(told, len(edits)))
+
+        title = self.tr("Replaying {0}").format(path.name)
+        shared = document.share_beneath()
+        job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
+        job.finished.connect(accept)
+        job.failed.connect(self._window.show_error)
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()
