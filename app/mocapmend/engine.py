@@ -17,6 +17,7 @@ from mocapmend.changes import changes_of as changes_of
 from mocapmend.changes import kept_gap as kept_gap
 from mocapmend.changes import record as record
 from mocapmend.changes import repaired as repaired
+from mocapmend.changes import with_new_labels
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
@@ -369,13 +370,14 @@ def export(
     MocapmendError
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
+    changes = with_new_labels(source, changes)
     if not patches(source, out):
         points = source.recording.points.copy()
         for run in changes.runs:
             points[run.start : run.start + len(run.values), run.marker] = run.values
         saved = write_recording(
             source,
-            source.recording.with_points(points),
+            replace(source.recording, points=points, labels=_labels(source, changes)),
             changes.repairs,
             out,
             kept_open=changes.kept_open,
@@ -415,6 +417,14 @@ def export(
         confirm=prove,
     )
     return Exported(saved, *proofs[0])
+
+
+def _labels(source: Source, changes: Changes) -> tuple[str, ...]:
+    """Return what the markers of a copy are called."""
+    labels = list(source.recording.labels)
+    for point, label in changes.labels(source).items():
+        labels[source.markers_by_point[point + 1]] = label
+    return tuple(labels)
 
 
 def second_opinion(claim: Claim, progress: Progress) -> str:

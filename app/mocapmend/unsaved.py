@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mocapmend import engine
 from mocapmend.changes import Changes, Repaired, smoothed_record
 from mocapmend.engine import Apart, Exported
-from mocapmend.files import KeptGap, RepairRecord, SmoothedRun, Source
+from mocapmend.files import KeptGap, Renamed, RepairRecord, SmoothedRun, Source
 from mocapmend.layers import Layers
 from mocapmend.written import Places
 from mocapmend_algorithms import Gap, Progress
@@ -36,6 +36,8 @@ class Unsaved:
         Earlier ones included.
     smoothed : mapping of Gap to Smoothed
         The runs that are smoothed.
+    labels : tuple of str
+        What the markers are called.
     never, set_aside : mapping of Gap to str
         Gaps that shall never be filled, and that the user left open, with the reasons.
     """
@@ -47,12 +49,28 @@ class Unsaved:
     never: Mapping[Gap, str]
     set_aside: Mapping[Gap, str]
     smoothed: "Mapping[Gap, Smoothed]"
+    labels: tuple[str, ...]
 
     def changes(self) -> Changes:
         """Return what differs from the file."""
         fills = dict(zip(sorted(self.repairs), self.records(), strict=True))
         kept, smoothed = self._kept_open(), self._smoothed()
-        return Repaired(self.layers, self.places, self.values, fills, kept, smoothed).changes()
+        return Repaired(
+            self.layers, self.places, self.values, fills, kept, smoothed, self._renamed()
+        ).changes()
+
+    def _renamed(self) -> tuple[Renamed, ...]:
+        source = self.source
+        known = () if source.provenance is None else source.provenance.corrections.renamed
+        former = {entry.point: entry.former for entry in known}
+        points = (point + 1 for point in source.stored_points)
+        return tuple(
+            Renamed(point, former.get(point, stored), label)
+            for point, stored, label in sorted(
+                zip(points, source.recording.labels, self.labels, strict=True)
+            )
+            if label != former.get(point, stored)
+        )
 
     def _smoothed(self) -> dict[Gap, SmoothedRun]:
         earlier = self.source.smoothed
