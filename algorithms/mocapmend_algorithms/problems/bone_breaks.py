@@ -9,6 +9,7 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import (
     RigidMates,
     broken_share,
@@ -18,7 +19,7 @@ from mocapmend_algorithms.problems.rigid_mates import (
 from mocapmend_algorithms.problems.steps import excursions
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import Skeleton, measure_distances
+from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 MOST_BROKEN = 0.6
@@ -77,7 +78,7 @@ def bone_breaks(
     """
     if not 3 <= recording.markers <= MOST_MARKERS or recording.frames < 3:
         return []
-    distances = measure_distances(recording, part(progress, 0.0, 0.2))
+    distances = distances_of(recording, part(progress, 0.0, 0.2))
     mates = [
         rigid_mates(recording, distances, skeleton, marker) for marker in range(recording.markers)
     ]
