@@ -12,9 +12,7 @@ BELIEVED_FRAMES = 30.0
 """So many frames of the recording weigh as much as the model does."""
 
 
-def adapted(
-    model: LabelModel, points: FloatArray, labels: IntArray, scale: float
-) -> LabelModel:
+def adapted(model: LabelModel, points: FloatArray, labels: IntArray, scale: float) -> LabelModel:
     """Return the model with the distances and shapes of the body at hand.
 
     Where markers sit differs from one session to the next by more than skin moves. The more frames
@@ -38,9 +36,7 @@ def adapted(
     together = seen.astype(np.float64).T @ seen.astype(np.float64)
     share = together / (together + BELIEVED_FRAMES)
     length = _mixed(length, scale * model.length, share)
-    spread = np.sqrt(
-        _mixed(spread**2, (scale * model.spread) ** 2, 0.5 * share)
-    )
+    spread = np.sqrt(_mixed(spread**2, (scale * model.spread) ** 2, 0.5 * share))
     company = companions(length, spread, COMPANIONS)
     shapes, wander = mean_shapes(places, company, scale * model.poses[0])
     shapes = np.where(np.isnan(shapes), scale * model.shapes, shapes)

@@ -157,7 +157,7 @@ def mean_shapes(
     shapes = np.repeat(first[None], count, axis=0)
     wander = np.full(count, np.nan)
     for _ in range(ROUNDS):
-        frames = frames_around(points, shapes, company, 1.0)
+        frames = frames_around(points, shapes, company)
         away = points[:, None] - frames.centre[:, :, None]
         local = np.einsum("flji,flmj->flmi", frames.rotation, away) + frames.origin[:, :, None]
         local[~frames.known] = np.nan

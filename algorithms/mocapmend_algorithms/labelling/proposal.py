@@ -17,6 +17,9 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.labelling.adapting import adapted
 from mocapmend_algorithms.labelling.assignment import assign_pieces
 from mocapmend_algorithms.labelling.costs import NOWHERE, Expectation, Tolerance, costs
+from mocapmend_algorithms.labelling.costs import label_places
+from mocapmend_algorithms.labelling.likenesses import likenesses
+from mocapmend_algorithms.labelling.rearranging import best_order
 from mocapmend_algorithms.labelling.model import LabelModel
 from mocapmend_algorithms.labelling.pieces import cut_pieces
 from mocapmend_algorithms.labelling.result import Labelled, Labelling, Piece
@@ -68,25 +71,37 @@ def propose(
     seen = sample(points, pieces)
     state = _begin(model, seen, pieces, fixed, part(progress, 0.0, 0.4))
     state.labels = assign_pieces(state.table, seen, pieces, fixed, len(points))
-    for number in range(FIRST_ROUNDS + LAST_ROUNDS):
-        now = part(
-            progress,
-            0.4 + 0.6 * number / (FIRST_ROUNDS + LAST_ROUNDS),
-            0.4 + 0.6 * (number + 1) / (FIRST_ROUNDS + LAST_ROUNDS),
-        )
-        state.scale = size_of(model, seen.points, seen.labels(state.labels), state.scale)
-        first = number < FIRST_ROUNDS
-        if first:
-            expected = Expectation.of(model, state.scale, FIRST_TOLERANCE)
-        else:
-            own = adapted(model, seen.points, seen.labels(state.labels), state.scale)
-            expected = Expectation.of(own, 1.0, LAST_TOLERANCE)
-        state.table = piece_costs(expected, seen, state.labels, len(pieces), now)
-        new = assign_pieces(state.table, seen, pieces, fixed, len(points))
-        same = np.array_equal(new, state.labels)
-        state.labels = new
-        if same and number >= FIRST_ROUNDS:
-            break
+    count = len(pieces)
+
+    def settle(most, expect, until):
+        for _ in range(most):
+            state.scale = size_of(model, seen.points, seen.labels(state.labels), state.scale)
+            state.table = piece_costs(expect(), seen, state.labels, count, lambda f: None)
+            new = assign_pieces(state.table, seen, pieces, fixed, len(points))
+            same = np.array_equal(new, state.labels)
+            state.labels = new
+            if same:
+                break
+
+    def plain():
+        return Expectation.of(model, state.scale, FIRST_TOLERANCE)
+
+    def own():
+        mine = adapted(model, seen.points, seen.labels(state.labels), state.scale)
+        return Expectation.of(mine, 1.0, LAST_TOLERANCE)
+
+    settle(FIRST_ROUNDS, plain, 0.6)
+    orders = likenesses(model)
+    held = set(fixed[fixed >= 0].tolist())
+    if held:
+        orders = [o for o in orders if not any(o[k] != k for k in held)]
+    places = label_places(seen.points, seen.labels(state.labels), len(model.labels))
+    state.order = best_order(plain(), places, orders, lambda f: None)
+    state.labels = np.where(state.labels >= 0, state.order.order[state.labels], -1)
+    settle(3, plain, 0.6)
+    settle(LAST_ROUNDS, own, 1.0)
+    places = label_places(seen.points, seen.labels(state.labels), len(model.labels))
+    state.order2 = best_order(plain(), places, orders, lambda f: None)
     progress(1.0)
     return pieces, seen, state
 

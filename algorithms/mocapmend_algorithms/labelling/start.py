@@ -118,9 +118,7 @@ def _laid(form: FloatArray, rows: IntArray, goal: FloatArray) -> tuple[FloatArra
     """Turn, shift and scale a form so that some of its markers come near to their goals."""
     own, other = form[rows].mean(axis=0), goal.mean(axis=0)
     a, b = form[rows] - own, goal - other
-    heading = np.arctan2(
-        (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum()
-    )
+    heading = np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
     turned = _turned(a, heading)
     scale = float(np.clip((turned * b).sum() / (a**2).sum(), *SIZES))
     return scale * _turned(form - own, heading) + other, scale
