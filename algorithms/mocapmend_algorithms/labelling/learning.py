@@ -57,7 +57,7 @@ def _gathered(recordings: Sequence[Recording]) -> tuple[tuple[str, ...], FloatAr
     """Return all labels, and the frames of all recordings in the size of the first one."""
     named = [named_points(recording.labels) for recording in recordings]
     labels = tuple(dict.fromkeys(label for points in named for label in points))
-    gathered = []
+    gathered: list[FloatArray] = []
     for recording, points in zip(recordings, named, strict=True):
         chosen = evenly(np.arange(recording.frames), MOST_FRAMES)
         there = upright(recording)[chosen]

@@ -15,6 +15,7 @@ BENCHES = {
     "fuzz": "damaged files: each must open or be refused, soon and without much memory",
     "poses": "sparse codes of poses: dictionary size, gap length, missing markers",
     "paper": "a paper's experiment: joints of a skeleton, neighbours missing for long",
+    "labels": "points without names labelled from other recordings, against a fixed pose",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
 }
 """Each is a module with `add_arguments(parser)` and `run(arguments)`, which returns a result."""
