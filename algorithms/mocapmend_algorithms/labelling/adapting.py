@@ -38,10 +38,8 @@ def adapted(model: LabelModel, places: FloatArray, scale: float) -> LabelModel:
     shapes = np.where(np.isnan(shapes), scale * model.shapes, shapes)
     own = np.diag(share)
     wander = np.sqrt(_mixed(wander**2, (scale * model.wander) ** 2, own))
-    return LabelModel(
-        model.labels, length, spread, shapes, wander, scale * model.poses, model.speed,
-        model.segments,
-    )  # fmt: skip
+    poses = scale * model.poses
+    return LabelModel(model.labels, length, spread, shapes, wander, poses, model.segments)
 
 
 def _mixed(own: FloatArray, model: FloatArray, share: FloatArray) -> FloatArray:

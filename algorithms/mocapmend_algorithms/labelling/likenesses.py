@@ -116,9 +116,10 @@ def _limbs(model: LabelModel, mirror: IntArray) -> list[IntArray]:
 
 
 def _parts(model: LabelModel) -> list[IntArray]:
-    """Turn each label and those that it goes with most closely, in all ways."""
+    """Turn each small segment, and each label with those that it goes with, in all ways."""
     company = companions(model.length, model.spread, PART - 1).markers
     groups = {tuple(sorted((label, *near))) for label, near in enumerate(company.tolist())}
+    groups |= {tuple(sorted(part)) for part in model.segments if len(part) <= PART}
     orders = []
     for group in sorted(groups):
         for turned in permutations(group):

@@ -65,6 +65,8 @@ class Search:
         Mean distance of a piece from where the other markers put its label, in mm; NaN unknown.
     scale : float
         Size of the body beside the model's.
+    begun : bool
+        Whether any label was found to begin with.
     order : Order
         How much better the labels are than what they could be taken for.
     """
@@ -83,6 +85,7 @@ class Search:
         self._orders = [
             order for order in likenesses(model) if all(order[label] == label for label in held)
         ]
+        self.begun = bool((fixed >= 0).any())
         self.order: Order
 
     def run(self, progress: Progress) -> None:
@@ -113,6 +116,7 @@ class Search:
                 starts.append((found, pieces))
         if not starts:
             return
+        self.begun = True
         votes = np.zeros_like(self.table)
         best = min(start.cost for start, _ in starts)
         for start, there in starts:

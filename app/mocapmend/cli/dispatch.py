@@ -18,6 +18,7 @@ COMMANDS = {
     "info": "say what a file holds",
     "gaps": "list the gaps of a file",
     "repair": "fill gaps and write a repaired copy",
+    "label": "propose labels for points without names, from labelled recordings",
     "report": "write a report on a recording that was repaired earlier",
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",

@@ -65,25 +65,23 @@ def run(arguments: argparse.Namespace) -> Report:
 def report(trials: list[Trial]) -> Report:
     """Make the tables of a run."""
     pieces = sum(trial.pieces for trial in trials)
-    notes = [
-        (
-            f"{pieces} pieces. Each marker is hidden {scrambling.OCCLUSIONS_PER_SECOND:g} times per "
-            f"second, for {scrambling.MEDIAN_OCCLUSION:g} s in the middle, "
-            f"{scrambling.TOGETHER:.0%} of the times with 1 to {scrambling.NEIGHBOURS} neighbours; in "
-            f"{scrambling.HIDDEN_WHOLE:.0%} of the trials one marker is never seen."
-        ),
-        (
-            f"{scrambling.SAME_POINT:.0%} of the pieces share a point with pieces of other markers; "
-            f"{scrambling.GHOSTS_PER_SECOND:g} ghosts per second, {scrambling.STATIC_GHOSTS} that "
-            "stand still; any heading and place."
-        ),
-        (
-            "A sample without a label counts as wrong. Samples of points that kept their names are "
-            "not counted. Markers that the model does not know count as ghosts."
-        ),
-    ]
+    hidden = (
+        f"{pieces} pieces. Each marker is hidden {scrambling.OCCLUSIONS_PER_SECOND:g} times per "
+        f"second, for {scrambling.MEDIAN_OCCLUSION:g} s in the middle, "
+        f"{scrambling.TOGETHER:.0%} of the times with 1 to {scrambling.NEIGHBOURS} neighbours; "
+        f"in {scrambling.HIDDEN_WHOLE:.0%} of the trials one marker is never seen."
+    )
+    stored = (
+        f"{scrambling.SAME_POINT:.0%} of the pieces share a point with pieces of other markers, "
+        f"if one is free; {scrambling.GHOSTS_PER_SECOND:g} ghosts per second, and "
+        f"{scrambling.STATIC_GHOSTS} that stand still; any heading and place."
+    )
+    counted = (
+        "A sample without a label counts as wrong. Samples of points that kept their names are "
+        "not counted. Markers that the model does not know count as ghosts."
+    )
     grids = [tables.summary(trials), tables.confidence(trials), tables.each(trials)]
-    return Report(f"Labels of {len(trials)} scrambled recordings", grids, notes)
+    return Report(f"Labels of {len(trials)} scrambled recordings", grids, [hidden, stored, counted])
 
 
 def _sentence(trial: Trial) -> str:
