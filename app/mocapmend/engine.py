@@ -39,6 +39,9 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
+from mocapmend_algorithms.labelling import Labelling, LabelModel, LabelParams
+from mocapmend_algorithms.labelling import label as propose_labels
+from mocapmend_algorithms.labelling.names import without_subject
 from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import (
@@ -303,6 +306,31 @@ def train_sparse(
         raise training.complaint(error, "", todo) from error
     progress(1.0)
     return made
+
+
+def label(
+    recording: Recording, examples: Sequence[Recording], params: LabelParams, progress: Progress
+) -> Labelling:
+    """Propose labels for a recording's points, learned from labelled recordings.
+
+    Raises
+    ------
+    MocapmendError
+        If nothing can be learned from the examples.
+    """
+    known = match_template(examples[0].labels, skeletons.load()) if examples else None
+    segments = [
+        [without_subject(examples[0].labels[marker]) for marker in segment.markers]
+        for segment in (known.segments if known else ())
+    ]
+    try:
+        model = LabelModel.learn(examples, segments, part(progress, 0.0, 0.1))
+    except ValueError as error:
+        raise MocapmendError(
+            f"No labels can be learned: {error}.",
+            todo="Choose recordings whose markers are labelled.",
+        ) from error
+    return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
 
 
 @dataclass(frozen=True)
