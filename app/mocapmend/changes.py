@@ -1,6 +1,6 @@
 """What the repairs of a recording change in its file, and what its repair record says. No Qt."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any, TypedDict, TypeVar
@@ -251,6 +251,28 @@ def record(
         donors=donors,
         expected_error_mm=patch.expected_error * recording.mm,
         r90_mm=patch.typical_r90 * recording.mm,
+    )
+
+
+def renames(source: Source, labels: Sequence[str]) -> tuple[Renamed, ...]:
+    """Return the points that are called otherwise than they were first.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+    labels : sequence of str, length markers
+        What its markers are called now.
+    """
+    known = () if source.provenance is None else source.provenance.corrections.renamed
+    former = {entry.point: entry.former for entry in known}
+    points = (point + 1 for point in source.stored_points)
+    return tuple(
+        Renamed(point, former.get(point, stored), label)
+        for point, stored, label in sorted(
+            zip(points, source.recording.labels, labels, strict=True)
+        )
+        if label != former.get(point, stored)
     )
 
 

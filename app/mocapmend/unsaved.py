@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend import engine
-from mocapmend.changes import Changes, Repaired, smoothed_record
+from mocapmend.changes import Changes, Repaired, renames, smoothed_record
 from mocapmend.engine import Apart, Exported
-from mocapmend.files import KeptGap, Renamed, RepairRecord, SmoothedRun, Source
+from mocapmend.files import KeptGap, RepairRecord, SmoothedRun, Source
 from mocapmend.layers import Layers
 from mocapmend.written import Places
 from mocapmend_algorithms import Gap, Progress
@@ -56,21 +56,14 @@ class Unsaved:
         fills = dict(zip(sorted(self.repairs), self.records(), strict=True))
         kept, smoothed = self._kept_open(), self._smoothed()
         return Repaired(
-            self.layers, self.places, self.values, fills, kept, smoothed, self._renamed()
+            self.layers,
+            self.places,
+            self.values,
+            fills,
+            kept,
+            smoothed,
+            renames(self.source, self.labels),
         ).changes()
-
-    def _renamed(self) -> tuple[Renamed, ...]:
-        source = self.source
-        known = () if source.provenance is None else source.provenance.corrections.renamed
-        former = {entry.point: entry.former for entry in known}
-        points = (point + 1 for point in source.stored_points)
-        return tuple(
-            Renamed(point, former.get(point, stored), label)
-            for point, stored, label in sorted(
-                zip(points, source.recording.labels, self.labels, strict=True)
-            )
-            if label != former.get(point, stored)
-        )
 
     def _smoothed(self) -> dict[Gap, SmoothedRun]:
         earlier = self.source.smoothed

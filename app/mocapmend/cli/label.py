@@ -1,20 +1,25 @@
-"""Propose labels for the points of a recording, learned from labelled recordings of its marker set.
+"""Label the points of a recording, learned from labelled recordings of its marker set.
 
 Trajectories may be in pieces, stored in any points; each piece is listed with the label proposed
 for it, how sure that is (about the share of such proposals that are right), and why. Points whose
-names the labelled recordings have keep them. Nothing is written.
+names the labelled recordings have keep them. With -o a copy is written in which each label is one
+point: pieces are brought together, and nothing but names and places changes.
 """
 
 import argparse
+import math
 from pathlib import Path
 from typing import Any
 
 from mocapmend import engine
-from mocapmend.cli import common
+from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
-from mocapmend.files import Source, read_recording
+from mocapmend.files import Source, check_ending, read_recording
+from mocapmend.layers import Layers
+from mocapmend.relabelling import relabelled
 from mocapmend_algorithms.labelling import Labelled, Labelling, LabelParams
 
+LEAST = 0.5
 UNSURE = 0.8
 """Proposals below it are counted for the user to look at."""
 
@@ -44,22 +49,42 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="LABEL[,LABEL...]",
         help="label anew the points with these names alone",
     )
+    parser.add_argument(
+        "--least-confidence",
+        type=_share,
+        default=LEAST,
+        metavar="SHARE",
+        help=f"with -o: leave pieces as they are of which it is less sure (default: {LEAST})",
+    )
+    target.add_output(parser, "a copy with these labels; without it nothing is written")
 
 
 def run(arguments: argparse.Namespace, console: Console) -> int:
-    """Print the proposals and return the exit code."""
+    """Print the proposals, write what was asked for, and return the exit code."""
+    out = None if arguments.output is None else target.choose(arguments)
     source = read_recording(arguments.file)
     examples = [read_recording(path) for path in arguments.examples]
     for read in (source, *examples):
         common.show_warnings(read, console)
     doubted = [name.strip() for word in arguments.doubt for name in word.split(",")]
     params = LabelParams(keep_names=not arguments.ignore_names, doubted=tuple(doubted))
+    if out is not None:
+        check_ending(source, out)
     console.start("Labelling")
+    layers = Layers.of(source)
     found = engine.label(
-        source.recording, [example.recording for example in examples], params, console.progress
+        layers.recording, [example.recording for example in examples], params, console.progress
     )
+    exported = None
+    if out is not None:
+        console.start("Writing")
+        made = relabelled(layers, found, arguments.least_confidence).changes()
+        accept = arguments.accept_truncated
+        exported = engine.export(source, made, out, False, accept, console.progress)  # noqa: FBT003
     console.result(
         **common.facts(source),
+        **({"output": None} if exported is None else {"output": str(out)}),
+        **({} if exported is None else common.written(exported)),
         examples=[str(example.path) for example in examples],
         labels=list(found.labels),
         scale=found.scale,
@@ -69,7 +94,21 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         headers = ("Point", ">Frames", "Label", ">Confidence", "Reason")
         console.table(headers, [_row(source, found, each) for each in found.proposals])
     console.say(_summary(found))
+    if exported is not None:
+        console.say(f"Labelled: {out}")
+        for sentence in exported.sentences:
+            console.say(sentence)
     return 0
+
+
+def _share(text: str) -> float:
+    try:
+        share = float(text)
+    except ValueError:
+        share = math.nan
+    if not 0 <= share <= 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a share from 0 to 1")
+    return share
 
 
 def _as_json(source: Source, found: Labelling, proposal: Labelled) -> dict[str, Any]:

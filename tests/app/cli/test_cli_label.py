@@ -58,6 +58,22 @@ def test_json_lists_every_piece_with_its_label(
     assert path.read_bytes() == before
 
 
+def test_the_labels_are_written(
+    run_json: Json, nameless: tuple[Path, list[str]], walk: Path, tmp_path: Path
+) -> None:
+    path, truth = nameless
+    out = tmp_path / "labelled.c3d"
+    code, found = run_json("label", path, "--from", walk, "-o", out)
+    assert code == 0
+    assert found["check"]["passed"]
+    before, after = read_c3d(path).recording, read_c3d(out).recording
+    wrong = [k for k, label in enumerate(truth) if after.labels[k] != label]
+    assert len(wrong) <= 1
+    assert np.array_equal(after.points, before.points)
+    code, _ = run_json("check", path, out)
+    assert code == 0
+
+
 def test_the_table_says_why(
     capsys: pytest.CaptureFixture[str], nameless: tuple[Path, list[str]], walk: Path
 ) -> None:
