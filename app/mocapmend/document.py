@@ -55,6 +55,7 @@ class Document(QObject):
         Owns the document.
     """
 
+    names_changed = Signal()
     samples_changed = Signal(tuple)
     base_changed = Signal()
     left_open_changed = Signal()
@@ -228,6 +229,23 @@ class Document(QObject):
         return self._believed.recording
 
     @property
+    def labels(self) -> tuple[str, ...]:
+        """What the markers are called now."""
+        return self.original.labels
+
+    def rename(self, labels: Mapping[int, str]) -> None:
+        """Give markers other labels. For undo commands alone."""
+        new = list(self.labels)
+        for marker, label in labels.items():
+            new[marker] = label
+        self.original = replace(self.original, labels=tuple(new))
+        self._believed.rename(tuple(new))
+        self.names = short_names(new)
+        # Workers find markers by their labels.
+        self._shared = self._shared_base = self._shared_original = self._shared_file = None
+        self.names_changed.emit()
+
+    @property
     def doubts(self) -> Doubts:
         """The runs that are set aside, with the reasons; not to be changed."""
         return self._believed.doubts
@@ -265,7 +283,8 @@ class Document(QObject):
     def _shared_with(self, runs: Collection[Gap], points: NDArray[np.float64]) -> SharedRecording:
         """Return the samples of the file, but those of some runs."""
         if self._shared_file is None:
-            self._shared_file = SharedRecording(self.source.recording)
+            named = replace(self.source.recording, labels=self.labels)
+            self._shared_file = SharedRecording(named)
         if not runs:
             return self._shared_file
         frames, markers = places = places_of(runs)
@@ -326,10 +345,11 @@ class Document(QObject):
                 inside[inside == SampleState.MEASURED] = SampleState.SMOOTHED
         values = self.base.points[rows, marker].copy()
         values[np.isin(states, ABSENT)] = np.nan
-        for gap, repair in self.repairs.items():
-            if gap.marker == marker and _overlap(gap, run):
+        # What is filled is one gap: those beside each other would be one.
+        for gap in self._states.as_gaps(marker, SampleState.FILLED):
+            if _overlap(gap, run):
                 start, stop = max(gap.start, run.start), min(gap.stop, run.stop)
-                filled = repair.patch.values[start - gap.start : stop - gap.start]
+                filled = self.repairs[gap].patch.values[start - gap.start : stop - gap.start]
                 values[start - run.start : stop - run.start] = filled
         return Edit(
             run,
@@ -445,6 +465,7 @@ class Document(QObject):
             never={gap: self.never_reason(gap) for gap in self.never},
             set_aside=self.set_aside,
             smoothed=dict(self.smoothed),
+            labels=self.labels,
         )
 
     def repair_rows(self) -> list[RepairRow]:

@@ -13,7 +13,8 @@ from mocapmend.changes import earlier, filled, smoothed
 from mocapmend.doubts import Doubt
 from mocapmend.engine import Changes, FillJob, fill_each
 from mocapmend.errors import MocapmendError
-from mocapmend.files import KeptGap, MovedRun, SmoothedRun, Source
+from mocapmend.files import KeptGap, MovedRun, Renamed, SmoothedRun, Source
+from mocapmend.files.corrections import changed_labels
 from mocapmend.files.records import RecordedRun, RepairRecord
 from mocapmend.files.sidecar import hash_file
 from mocapmend.layers import Layers
@@ -53,6 +54,8 @@ class Plan:
         What is exchanged and set aside, from which the gaps are filled.
     smoothing : tuple of SmoothJob
         What is smoothed at last.
+    renamed : tuple of Renamed
+        All points that are called otherwise than they were first.
     """
 
     reopened: tuple[Gap, ...]
@@ -61,6 +64,13 @@ class Plan:
     freed: tuple[Gap, ...]
     layers: Layers
     smoothing: tuple[SmoothJob, ...]
+    renamed: tuple[Renamed, ...] = ()
+
+    def labels(self, source: Source) -> dict[int, str]:
+        """Return the labels that markers of the file get."""
+        known = () if source.provenance is None else source.provenance.corrections.renamed
+        labels = changed_labels(known, self.renamed)
+        return {source.markers_by_point[point + 1]: label for point, label in labels.items()}
 
 
 def plan(source: Source, recipe: Recipe) -> Plan:
@@ -101,6 +111,7 @@ def plan(source: Source, recipe: Recipe) -> Plan:
         tuple(freed),
         layers,
         _smoothing(source, recipe.smoothed),
+        _renamed(source, recipe),
     )
 
 
@@ -213,7 +224,7 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     gaps = [gap for job in planned.jobs for gap in job.gaps]
     for gap in (*planned.freed, *_overlapping(source, gaps, source.kept_open)):
         kept_open.pop(gap, None)
-    return replace(made, kept_open=kept_open).changes()
+    return replace(made, kept_open=kept_open, renamed=planned.renamed).changes()
 
 
 def _layers(source: Source, recipe: Recipe) -> Layers:
@@ -248,6 +259,20 @@ def _move(source: Source, entry: MovedRun) -> Move:
             source, f"its point {entry.from_point} is not the marker {entry.from_marker}"
         )
     return Move(*_run_of(source, entry), origin)
+
+
+def _renamed(source: Source, recipe: Recipe) -> tuple[Renamed, ...]:
+    """Return what points are called after a recipe."""
+    known = () if source.provenance is None else source.provenance.corrections.renamed
+    entries = {entry.point: entry for entry in known}
+    for entry in recipe.renamed_back:
+        entries.pop(entry.point, None)
+    for entry in recipe.renamed:
+        marker = source.markers_by_point.get(entry.point)
+        if marker is None:
+            raise _does_not_fit(source, f"its point {entry.point} is no marker")
+        entries[entry.point] = entry
+    return tuple(entries[point] for point in sorted(entries))
 
 
 def _smoothing(source: Source, stated: Sequence[SmoothedRun]) -> tuple[SmoothJob, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend import engine
-from mocapmend.changes import Changes, Repaired, smoothed_record
+from mocapmend.changes import Changes, Repaired, renames, smoothed_record
 from mocapmend.engine import Apart, Exported
 from mocapmend.files import KeptGap, RepairRecord, SmoothedRun, Source
 from mocapmend.layers import Layers
@@ -36,6 +36,8 @@ class Unsaved:
         Earlier ones included.
     smoothed : mapping of Gap to Smoothed
         The runs that are smoothed.
+    labels : tuple of str
+        What the markers are called.
     never, set_aside : mapping of Gap to str
         Gaps that shall never be filled, and that the user left open, with the reasons.
     """
@@ -47,12 +49,21 @@ class Unsaved:
     never: Mapping[Gap, str]
     set_aside: Mapping[Gap, str]
     smoothed: "Mapping[Gap, Smoothed]"
+    labels: tuple[str, ...]
 
     def changes(self) -> Changes:
         """Return what differs from the file."""
         fills = dict(zip(sorted(self.repairs), self.records(), strict=True))
         kept, smoothed = self._kept_open(), self._smoothed()
-        return Repaired(self.layers, self.places, self.values, fills, kept, smoothed).changes()
+        return Repaired(
+            self.layers,
+            self.places,
+            self.values,
+            fills,
+            kept,
+            smoothed,
+            renames(self.source, self.labels),
+        ).changes()
 
     def _smoothed(self) -> dict[Gap, SmoothedRun]:
         earlier = self.source.smoothed

@@ -19,7 +19,7 @@ from mocapmend.doubts import Doubt
 from mocapmend.edits import Edit, Smoothed
 from mocapmend.files import Source
 from mocapmend.files.c3d_reader import read_c3d
-from mocapmend.journal.edits import decode, decode_correction, encode
+from mocapmend.journal.edits import decode, decode_correction, decode_labels, encode
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap, find_gaps, no_progress
 from mocapmend_algorithms.corrections import Exchange, corrected
@@ -258,7 +258,9 @@ def deeds(draw: st.DrawFn) -> Callable[[Document], None]:
     """Return something that a user does."""
     first, second = draw(st.permutations(range(MARKERS)))[:2]
     span = _spans(draw)
-    match draw(st.sampled_from(["exchange", "aside", "believe", "fill", "clear", "smooth"])):
+    match draw(
+        st.sampled_from(["exchange", "aside", "believe", "fill", "clear", "rename", "smooth"])
+    ):
         case "exchange":
             return lambda document: correct(document, exchanges=[Exchange(first, second, *span)])
         case "aside":
@@ -268,6 +270,11 @@ def deeds(draw: st.DrawFn) -> Callable[[Document], None]:
             return lambda document: correct(document, believe=[Gap(first, *span)])
         case "fill":
             return fill
+        case "rename":
+            command = {first: f"name {first} {span}"}
+            return lambda document: document.undo_stack.push(
+                EditSamples(document, [], "rename", labels=command)
+            )
         case "clear":
             return lambda document: push(document, [Edit.clear(gap) for gap in document.repairs])
     return lambda document: smooth(document, Gap(first, *span), method="savgol")
@@ -295,11 +302,13 @@ def test_whatever_is_done(tmp_path: Path, done: list[Callable[[Document], None]]
     again = opened(document.source)
     for command in commands:
         assert isinstance(command, EditSamples)
-        event, data = encode(command.text(), command.edits, command.correction)
+        event, data = encode(command.text(), command.edits, command.correction, command.labels)
         event = json.loads(json.dumps(event))
         text, edits = decode(event, data, again.original)
         correction = decode_correction(event, again.original)
-        again.undo_stack.push(EditSamples(again, edits, text, correction))
+        labels = decode_labels(event, again.original)
+        again.undo_stack.push(EditSamples(again, edits, text, correction, labels))
+    assert again.labels == document.labels
     assert equal(held(again), held(document))
     assert again.stale == document.stale
 
@@ -310,6 +319,7 @@ def test_whatever_is_done(tmp_path: Path, done: list[Callable[[Document], None]]
     engine.export(document.source, changes, tmp_path / "out.c3d", False, False, no_progress)
     read = read_c3d(tmp_path / "out.c3d")
     assert not read.warnings
+    assert read.recording.labels == document.labels
     assert near(read.recording.points, document.points)
     # What was measured where it is smoothed now is in the first file alone.
     kept = document.state != SampleState.SMOOTHED

@@ -15,10 +15,11 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import RigidMates, rigid_mates
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import Skeleton, measure_distances
+from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 UNLABELLED = re.compile(
@@ -89,7 +90,7 @@ def fragments(
     progress(0.0)
     if not 0 < len(pieces) <= MOST_UNNAMED * recording.markers <= MOST_UNNAMED * MOST_MARKERS:
         return []
-    distances = measure_distances(recording, part(progress, 0.0, 0.3))
+    distances = distances_of(recording, part(progress, 0.0, 0.3))
     mates = {marker: rigid_mates(recording, distances, skeleton, marker) for marker in named}
     mates = {marker: _named_only(each, pieces) for marker, each in mates.items()}
     found = []

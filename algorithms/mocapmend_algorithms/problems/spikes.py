@@ -36,8 +36,10 @@ SMALL_MM, LARGE_MM = 12.0, 50.0
 PER_FRAME = 0.12
 NEXT_BREAKS = 6
 LEAST_LONGEST = 5
-UNUSUAL = 3.0
+UNUSUAL, VERY_UNUSUAL = 3.0, 10.0
 """Times what blocks of the same length around it are away from where their sides lead."""
+CERTAIN, CERTAIN_MM = 40.0, 50.0
+"""Times the noise, and deviation, of what need not begin and end in steps: it is very unusual."""
 PASSES = 3
 UNMISTAKABLE = 30.0
 """Times the noise: so far, neighbours that jump as well are no excuse."""
@@ -146,8 +148,10 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
         with np.errstate(invalid="ignore"):
             good = (fits.away >= params.least_mm) & (ratio >= _needed(fits.away, length, params))
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
-            good &= _sharp(step, first, length, fits)
-        good[good] = fits.away[good] >= UNUSUAL * usual_away(points, first[good], length)
+            certain = (ratio >= CERTAIN) & (fits.away >= CERTAIN_MM)
+            good &= certain | _sharp(step, first, length, fits)
+        times = np.where(certain, VERY_UNUSUAL, UNUSUAL)[good]
+        good[good] = fits.away[good] >= times * usual_away(points, first[good], length)
         candidates += [
             _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
             for at in np.flatnonzero(good)

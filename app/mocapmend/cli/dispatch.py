@@ -20,6 +20,7 @@ COMMANDS = {
     "problems": "list the samples of a file that are there but wrong",
     "repair": "fill gaps and write a repaired copy",
     "batch": "repair many files by one plan, on all cores or on a cluster",
+    "label": "propose labels for points without names, from labelled recordings",
     "report": "write a report on a recording that was repaired earlier",
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",

@@ -2,7 +2,7 @@
 
 import math
 from base64 import b64decode, b64encode
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, Self
 
@@ -176,6 +176,29 @@ class Renamed:
 
 KINDS = ("set_aside", "moved", "smoothed", "renamed")
 """The kinds of corrections, by their names in a record."""
+
+
+def changed_labels(earlier: Iterable[Renamed], now: Iterable[Renamed]) -> dict[int, str]:
+    """Return the labels that a copy of a file has in place of the file's own.
+
+    Parameters
+    ----------
+    earlier, now : iterable of Renamed
+        What the repair record of the file, and that of the copy, say.
+
+    Returns
+    -------
+    dict of int to str
+        By stored point, from 0.
+    """
+    before, after = ({entry.point: entry for entry in entries} for entries in (earlier, now))
+    labels = {}
+    for point in sorted({*before, *after}):
+        old = before[point].marker if point in before else after[point].former
+        new = after[point].marker if point in after else before[point].former
+        if new != old:
+            labels[point - 1] = new
+    return labels
 
 
 @dataclass(frozen=True)

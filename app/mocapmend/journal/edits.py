@@ -1,7 +1,7 @@
 """Undo commands as records of a journal: the samples of all runs one after another, to the bit."""
 
 import dataclasses
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,12 @@ Way = tuple[str, Any, tuple[str, ...], int]
 """How a gap was filled: method, parameters, donors, and from which state of the samples."""
 
 
-def encode(text: str, edits: Sequence[Edit], correction: Correction | None = None) -> Record:
+def encode(
+    text: str,
+    edits: Sequence[Edit],
+    correction: Correction | None = None,
+    labels: Mapping[int, str] | None = None,
+) -> Record:
     """Return an undo command as a record.
 
     Parameters
@@ -36,6 +41,8 @@ def encode(text: str, edits: Sequence[Edit], correction: Correction | None = Non
         What the runs shall hold. The patch of a repair is what its edit writes.
     correction : Correction, optional
         What is exchanged or set aside after that.
+    labels : mapping of int to str, optional
+        What markers are called from now on.
     """
     ways: dict[Way, int] = {}
     fills = [
@@ -62,6 +69,8 @@ def encode(text: str, edits: Sequence[Edit], correction: Correction | None = Non
             str(k): [made.method, dict(made.params), dict(made.chosen), made.rms]
             for k, made in smoothed.items()
         }
+    if labels:
+        event["labels"] = {str(marker): label for marker, label in labels.items()}
     if correction is not None:
         event["correction"] = {
             "exchanges": [list(each) for each in correction.exchanges],
@@ -104,7 +113,10 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
     _require(all(isinstance(donor, str) for _, _, donors, *_ in ways for donor in donors))
     _require(isinstance(text, str) and type(count) is type(samples) is type(filled_samples) is int)
     _require(
-        (count > 0 or "correction" in event) and count >= 0 and samples >= 0 and filled_samples >= 0
+        (count > 0 or "correction" in event or "labels" in event)
+        and count >= 0
+        and samples >= 0
+        and filled_samples >= 0
     )
     layout = (
         ("<i8", 3 * count),
@@ -176,6 +188,20 @@ def decode_correction(event: Event, recording: Recording) -> Correction | None:
     for run in (*gone, *come):
         _require_inside(run, recording)
     return Correction(exchanges, Change(gone, come))
+
+
+def decode_labels(event: Event, recording: Recording) -> dict[int, str]:
+    """Return what an undo command calls markers.
+
+    Raises
+    ------
+    AttributeError, TypeError or ValueError
+        If it does not fit the recording, or is none.
+    """
+    labels = {int(marker): label for marker, label in event.get("labels", {}).items()}
+    _require(all(0 <= marker < recording.markers for marker in labels))
+    _require(all(isinstance(label, str) for label in labels.values()))
+    return labels
 
 
 def _smoothed(name: str, params: dict[str, Any], chosen: dict[str, Any], rms: float) -> Smoothed:

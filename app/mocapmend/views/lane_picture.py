@@ -24,9 +24,9 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
     Parameters
     ----------
     state : SampleState
-        Measured samples are a thin line, missing ones a full bar, bad ones are a chequered bar and fills
-        are two rails. Smoothed samples are a line that reaches the top. Any further state is a
-        ladder.
+        Measured samples are a thin line, missing ones a full bar, bad ones a chequered bar and
+        fills are two rails. Smoothed samples are a line that reaches the top. Any further state is
+        a ladder.
     height : int
         Pixels of the lane.
 

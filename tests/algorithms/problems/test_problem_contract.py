@@ -1,5 +1,7 @@
 """What every detector keeps, and what they say together."""
 
+import gc
+import weakref
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +11,7 @@ from bodies import body, changed, found_by
 from mocapmend_algorithms import Cancelled, Recording, no_progress
 from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.problems.detect import explained_once
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.registry import DETECTORS, chosen, detector, remedy
 from mocapmend_algorithms.skeleton import Skeleton, skeleton_from_distances
 
@@ -149,3 +152,17 @@ def test_detectors_that_were_not_asked_for_say_nothing():
     recording = wrecked()
     runs = detect(recording, NOTHING, ["frozen", "far"], no_progress)
     assert {run.kind for run in runs} == {"frozen", "far"}
+
+
+def test_the_distances_are_measured_once_and_forgotten_with_the_recording():
+    recording, told = body(1.0), []
+    first = distances_of(recording, told.append)
+    assert distances_of(recording, told.append) is first
+    assert told[-1] == 1.0
+    again = distances_of(body(1.0), told.append)
+    assert again is not first
+    assert np.array_equal(again.length, first.length, equal_nan=True)
+    gone = weakref.ref(recording)
+    del recording
+    gc.collect()
+    assert gone() is None

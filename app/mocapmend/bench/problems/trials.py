@@ -17,9 +17,12 @@ from mocapmend_algorithms import Recording, no_progress
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.problems.registry import detector
-from mocapmend_algorithms.skeleton import skeleton_from_distances
+from mocapmend_algorithms.skeleton import Skeleton, skeleton_from_distances
 
 SEED = 7
+LOOK_AT_BONES = ("fragments", "bone-breaks", "reflections")
+"""Detectors; for the others the search for a skeleton can be saved."""
+NO_BONES = Skeleton("", (), "none")
 BESIDE = 3
 """Frames beside what is found in the untouched recording that belong to it."""
 
@@ -78,7 +81,8 @@ def run_experiment(experiment: Experiment, data: Path, half: str, repeats: int) 
 def detect_one(experiment: Experiment, recording: Recording) -> list[BadRun]:
     """Run the detector of an experiment alone."""
     way = detector(experiment.detector)
-    skeleton = skeleton_from_distances(recording, no_progress)
+    bones = experiment.detector in LOOK_AT_BONES
+    skeleton = skeleton_from_distances(recording, no_progress) if bones else NO_BONES
     params = way.params(**experiment.params)
     return way.function(recording, skeleton, params, no_progress)
 
