@@ -44,7 +44,6 @@ SAME_SCALE = Setting(key="plots/same_scale", default=False)
 RANKING = Setting(key="queue/ranking", default=True)
 COMPARE = Setting(key="repair/compare", default=True)
 SMOOTHER = Setting("smooth/method", "gcv")
-SMOOTH_ALL = Setting(key="smooth/all_markers", default=False)
 TRAIL_SECONDS = Setting("view/trail_seconds", 0.5)
 SHOWN = {
     name: Setting(f"view/{name}", default)

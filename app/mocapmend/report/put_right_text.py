@@ -66,7 +66,10 @@ def _group(report: Report, rows: Sequence[SmoothRow], references: list[str]) -> 
     named = f" ({', '.join(markers)})" if len(markers) <= MOST_NAMED else ""
     whole = all(row.run.length == report.frames for row in rows)
     stretches = "1 stretch" if len(rows) == 1 else f"{len(rows)} stretches"
-    where = "throughout" if whole else f"in {stretches}"
+    where = "over the whole recording" if whole else f"in {stretches}"
+    gaps = {gap.gap.marker for gap in report.open_gaps}
+    if any(row.run.marker in gaps for row in rows):
+        where += ", except for stretches of too few samples between gaps,"
     choice = source.choice if source is not None and first.automatic else ""
     who = f"{count(len(markers), 'marker')}{named} {_was(len(markers))}"
     sentences = (

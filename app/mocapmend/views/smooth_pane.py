@@ -20,15 +20,16 @@ from PySide6.QtWidgets import (
 
 from mocapmend import wording
 from mocapmend.document import Document
-from mocapmend.settings import SMOOTH_ALL, SMOOTHER, Settings
+from mocapmend.settings import SMOOTHER, Settings
 from mocapmend.smoothing import SmoothWay, found_nothing, runs_of
 from mocapmend.theme import Theme
 from mocapmend.views.action_button import ActionButton
-from mocapmend.views.engine_texts import method_text, shown, smoother_name
+from mocapmend.views.engine_texts import find, method_text, shown, smoother_name
 from mocapmend.views.params_form import ParamsForm
 from mocapmend.views.residual_plot import ResidualPlot
 from mocapmend.views.smooth_table import SmoothTable
 from mocapmend.views.smoothing import Smoothing
+from mocapmend.views.tables import frames_text
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.smooth.contract import SmoothResult
@@ -36,7 +37,9 @@ from mocapmend_algorithms.smooth.registry import SMOOTHERS, SUGGESTED
 
 MOST_LOOKED_AT = 8
 """Of the selected markers, those selected last have a preview."""
-MOST_NAMED = 3
+MOST_NAMED, MOST_LISTED = 3, 20
+TOO_SHORT = "Only {0} on end: this needs at least {1}."
+"""Why most stretches are left as they are."""
 
 
 class SmoothPane(QScrollArea):
@@ -74,7 +77,6 @@ class SmoothPane(QScrollArea):
         self.markers = QComboBox()
         self.markers.setAccessibleName(self.tr("Which markers"))
         self.markers.addItems([self.tr("Selected markers"), self.tr("All markers")])
-        self.markers.setCurrentIndex(int(settings.get(SMOOTH_ALL)))
         self.time = QComboBox()
         self.time.setAccessibleName(self.tr("Which frames"))
         self.time.addItems([self.tr("Whole recording"), self.tr("Selected frames")])
@@ -165,7 +167,7 @@ class SmoothPane(QScrollArea):
     def _connect(self) -> None:
         view, smoothing = self._view, self._smoothing
         self.method.currentIndexChanged.connect(self._choose_method)
-        self.markers.currentIndexChanged.connect(self._choose_markers)
+        self.markers.currentIndexChanged.connect(self.refresh)
         self.time.currentIndexChanged.connect(self.refresh)
         self.form.changed.connect(self._take_params)
         self.form.rebuilt.connect(self.rebuilt)
@@ -197,10 +199,6 @@ class SmoothPane(QScrollArea):
         way = self.way
         self._params[way.method] = replace(way.params, cutoff_hz=hz)
         self._show_method()
-
-    def _choose_markers(self, index: int) -> None:
-        self._settings.set(SMOOTH_ALL, index == 1)
-        self.refresh()
 
     def _show_span(self) -> None:
         """Offer the selected frames, where there are some."""
@@ -279,6 +277,7 @@ class SmoothPane(QScrollArea):
         notes = [note for note in self._notes(result) if note]
         self._note.setText("<br>".join(notes))
         self._note.setVisible(bool(notes))
+        self._note.setToolTip(self._list_untouched(result))
 
     def _cutoffs_of(self, result: SmoothResult, marker: int | None) -> tuple[float, ...]:
         of_marker = (done for done in result.runs if done.run.marker == marker)
@@ -320,9 +319,26 @@ class SmoothPane(QScrollArea):
         return self.tr("If you see jitter all the same, give the measurement noise.")
 
     def _untouched(self, result: SmoothResult) -> list[str]:
-        reasons = Counter(shown(entry.reason) for entry in result.untouched)
+        """Return how many stretches are left as they are, those that are too short as one."""
+        reasons: Counter[str] = Counter()
+        for entry in result.untouched:
+            found = find(entry.reason)
+            if found is not None and found[0] == TOO_SHORT:
+                reasons[self.tr("Fewer than {0} samples on end.").format(found[1][1])] += 1
+            else:
+                reasons[shown(entry.reason)] += 1
         text = self.tr("Left as they are: stretches {0}. {1}")
         return [text.format(n, escape(why)) for why, n in reasons.most_common(MOST_NAMED)]
+
+    def _list_untouched(self, result: SmoothResult | None) -> str:
+        """Return where these stretches are."""
+        entries = () if result is None else result.untouched
+        first, names = self._document.original.first_frame, self._document.names
+        lines = [
+            f"{names[one.stretch.marker]} {frames_text(one.stretch, first)}: {shown(one.reason)}"
+            for one in entries[:MOST_LISTED]
+        ]
+        return "\n".join([*lines, "…"] if len(entries) > MOST_LISTED else lines)
 
 
 def _text_label() -> QLabel:
