@@ -48,8 +48,8 @@ def test_counts_by_detector() -> None:
     for part in (
         "was repaired with",
         (
-            "40 samples of 2 markers were exchanged between markers, in 2 runs (found now: 1 case of "
-            "“swaps”)."
+            "40 samples of 2 markers were exchanged between markers, in 2 runs (found now: "
+            "1 case of “swaps”)."
         ),
         (
             "7 measured samples in 3 runs were set aside as bad and treated as missing: 5 by the "
@@ -70,12 +70,12 @@ def test_smoothing_names_method_cutoffs_markers_and_change() -> None:
             "low-pass filter (method “butterworth”) [1, 2]."
         ),
         (
-            "The cut-off frequencies were 6.0 to 12.0 Hz, with a median of 7.5 Hz, chosen by residual "
-            "analysis."
+            "The cut-off frequencies were 6.0 to 12.0 Hz, with a median of 7.5 Hz, chosen by "
+            "residual analysis."
         ),
         (
-            "It moved samples by 0.38 mm (root mean square, median of the trajectories), by 0.5 mm at "
-            "most."
+            "It moved samples by 0.38 mm (root mean square, median of the trajectories), by "
+            "0.5 mm at most."
         ),
     ):
         assert part in made.paragraph, part
