@@ -6,8 +6,8 @@ from dataclasses import fields, replace
 from html import escape
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
@@ -26,6 +26,7 @@ from mocapmend.theme import Theme
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.engine_texts import find, method_text, shown, smoother_name
 from mocapmend.views.params_form import ParamsForm
+from mocapmend.views.repair_panel import MOST_OF_SCREEN
 from mocapmend.views.residual_plot import ResidualPlot
 from mocapmend.views.smooth_table import SmoothTable
 from mocapmend.views.smoothing import Smoothing
@@ -37,6 +38,8 @@ from mocapmend_algorithms.smooth.registry import SMOOTHERS, SUGGESTED
 
 MOST_LOOKED_AT = 8
 """Of the selected markers, those selected last have a preview."""
+MARGIN = 8
+"""Pixels at both sides."""
 MOST_NAMED, MOST_LISTED = 3, 20
 TOO_SHORT = "Only {0} on end: this needs at least {1}."
 """Why most stretches are left as they are."""
@@ -150,7 +153,7 @@ class SmoothPane(QScrollArea):
         decide.addWidget(self._take_off)
         body = QWidget()
         layout = QVBoxLayout(body)
-        layout.setContentsMargins(8, 6, 8, 6)
+        layout.setContentsMargins(MARGIN, 6, MARGIN, 6)
         layout.setSpacing(5)
         layout.addLayout(scope)
         # Above the parameters: where they stay whatever the method.
@@ -162,6 +165,7 @@ class SmoothPane(QScrollArea):
         layout.addWidget(self.plot)
         layout.addStretch(1)
         self.setWidget(body)
+        self._body = body
         self.setFocusProxy(self.method)
 
     def _connect(self) -> None:
@@ -218,11 +222,27 @@ class SmoothPane(QScrollArea):
 
     # --- what it shows -----------------------------------------------------------------------
 
+    def _take_room(self) -> None:
+        """Be as wide as what is in it, unless that is much of the screen: then it is scrolled."""
+        room = self.verticalScrollBar().sizeHint().width() + 2
+        # The table has room also while there is nothing in it.
+        table = self.table.minimumSizeHint().width() + 2 * MARGIN
+        wanted = max(self._body.minimumSizeHint().width(), table) + room
+        around = max(self.screen().size().width(), self.window().width())
+        self.setMinimumWidth(min(wanted, round(MOST_OF_SCREEN * around)))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self._take_room()
+        super().showEvent(event)
+
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.EnabledChange:
             # A pane is enabled when it comes in sight.
             self.refresh()
+        elif event.type() == QEvent.Type.FontChange and self.widget() is not None:
+            # Later, when the fields have the new text too.
+            QTimer.singleShot(0, self, self._take_room)
 
     def refresh(self) -> None:
         """Look at what smoothing would do to the selected markers, while the pane is in sight."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem, QWidget
 
 from mocapmend import wording
@@ -13,6 +14,8 @@ from mocapmend_algorithms.smooth.contract import SmoothResult
 
 MOST_ROWS = 4
 """That are seen at once."""
+LEAST_NAME = "✔ MMMMM"
+"""What must be left for the names of markers."""
 
 
 class SmoothTable(QTableWidget):
@@ -36,6 +39,7 @@ class SmoothTable(QTableWidget):
         align_right(self, {1, 2, 3})
         self.setAccessibleName(self.tr("What smoothing would do"))
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         dress(self)
         self.setItemDelegateForColumn(0, LabelDelegate(self))
         advance = self.fontMetrics().horizontalAdvance
@@ -69,6 +73,18 @@ class SmoothTable(QTableWidget):
                 item.setToolTip(text)
                 self.setItem(row, column, item)
         self._fit()
+
+    def minimumSizeHint(self) -> QSize:
+        columns = sum(map(self.columnWidth, range(1, self.columnCount())))
+        name = self.fontMetrics().horizontalAdvance(LEAST_NAME)
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(columns + name + bar, super().minimumSizeHint().height())
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            # Later, when the rows have their new height.
+            QTimer.singleShot(0, self, self._fit)
 
     def _fit(self) -> None:
         rows = min(self.rowCount(), MOST_ROWS)

@@ -5151,7 +5151,7 @@
     </message>
     <message>
         <source>Cut-off (Hz)</source>
-        <translation>截止频率 (Hz)</translation>
+        <translation>截止 (Hz)</translation>
     </message>
     <message>
         <source>RMS mm</source>
