@@ -25,6 +25,7 @@ def walk(folder: Path, language: str, size: tuple[int, int], text: float) -> Non
         around.tour(stage)
         panes.repairing(stage)
         panes.filling(stage)
+        panes.smoothing(stage)
         panes.working(stage)
         stage.close_all()
         panes.time(stage)
