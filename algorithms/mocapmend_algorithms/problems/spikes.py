@@ -206,7 +206,7 @@ def _apart(candidates: Sequence[_Found]) -> list[_Found]:
     """Of candidates that touch each other keep the one that is the furthest out and short."""
     taken: list[_Found] = []
     used: set[int] = set()
-    for each in sorted(candidates, key=lambda c: (-c.ratio / c.length**1.0, c.start)):
+    for each in sorted(candidates, key=lambda c: (-c.ratio / c.length, c.start)):
         reach = range(each.start - 1, each.start + each.length + 1)
         if used.isdisjoint(reach):
             taken.append(each)
