@@ -67,5 +67,7 @@ class Likeness:
         return total / np.sqrt(np.maximum(count, 1.0))
 
     def _squares(self, away: FloatArray, label: int, mates: list[int]) -> FloatArray:
-        off = (away - self._length[label, mates]) / self._spread[label, mates]
-        return np.minimum(off**2, MOST_SQUARE)
+        """Return twice the negative log likelihoods: a wide label does not fit all for nothing."""
+        spread = self._spread[label, mates]
+        off = (away - self._length[label, mates]) / spread
+        return np.minimum(off**2, MOST_SQUARE) + 2.0 * np.log(spread)
