@@ -18,9 +18,12 @@ from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import place_to_begin
 from mocapmend.prospects import Prospects
-from mocapmend.settings import RANKING, TRAIL_SECONDS, Settings
+from mocapmend.ranking import Problem
+from mocapmend.settings import RANKING, SEARCHING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
+from mocapmend.views.bad_actions import BadActions
+from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
@@ -100,6 +103,7 @@ class Workspace(PanedWindow):
         # Before all that asks them what to do.
         document.base_changed.connect(self.prospects.clear)
         self.survey = Survey(document, self.prospects, jobs, self)
+        self.search = BadSearch(document, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.do, self)
         self.scene = Scene(document, self.view, theme)
@@ -110,10 +114,16 @@ class Workspace(PanedWindow):
         self.time = TimeActions(document, self.view, self.player, self.timeline, settings, self)
         self.time.message.connect(self.message)
         self.markers = MarkerTable(document, self.view, theme)
-        self.repair = RepairPanel(document, self.view, settings, actions)
+        suspects = self.search.suspects
+        self.repair = RepairPanel(document, self.view, suspects, settings, actions)
         self.repairs = RepairTable(document, self.view)
-        self.queue = QueuePane(document, self.view, self.prospects, self.survey, settings)
+        self.queue = QueuePane(
+            document, self.view, self.prospects, self.survey, self.search, settings
+        )
         self.gap_actions = GapActions(document, self.view, self.queue, self.push, self)
+        self.bad_actions = BadActions(
+            document, self.view, self.queue, self.search, self.filling, self.do, self
+        )
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
@@ -138,6 +148,8 @@ class Workspace(PanedWindow):
         self.filling.ended.connect(self._show_filling)
         self.filling.done.connect(self._show_done)
         self.survey.advanced.connect(self._lead)
+        self.search.changed.connect(self.repair.show_problem)
+        self.search.changed.connect(self._lead_to_bad)
         self._preview()
         document.left_open_changed.connect(self.report.refresh)
         document.undo_stack.indexChanged.connect(self._forget_outcome)
@@ -147,9 +159,10 @@ class Workspace(PanedWindow):
         document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
-        for part in (self.previewer, self.report, self.survey, self.filling):
+        for part in (self.previewer, self.report, self.survey, self.search, self.filling):
             part.failed.connect(self.failed)
         self.gap_actions.message.connect(self.message)
+        self.bad_actions.message.connect(self.message)
         self.filling.message.connect(self.message)
         self._show_proof()
         self._show_first_gap()
@@ -170,8 +183,11 @@ class Workspace(PanedWindow):
         self.recorder.get_ready()
         if self.document.found_skeleton is None:
             self._search_skeleton()
-        if self._settings.get(RANKING) and self.isVisible() and self.filling.job is None:
-            self.survey.start()
+        if self.isVisible():
+            if self._settings.get(SEARCHING):
+                self.search.start()
+            if self._settings.get(RANKING) and self.filling.job is None:
+                self.survey.start()
 
     def paint_later(self) -> None:
         """Paint when other events have been handled: what was done took long enough."""
@@ -202,6 +218,7 @@ class Workspace(PanedWindow):
         self.player.pause()
         self.previewer.stop()
         self.survey.stop()
+        self.search.stop()
         self.filling.stop()
         self.report.stop()
         if self.analog is not None:
@@ -241,14 +258,18 @@ class Workspace(PanedWindow):
         """Stand back: another recording is looked at."""
         self.player.pause()
         self.survey.stop()
+        self.search.stop()
         self.save_layout()
         self.put_windows_away()
 
     def enter(self) -> None:
         """Come to the front again, with the panes where the user had them last."""
         self.bring_windows_back()
-        if self._settings.get(RANKING) and not self._begin_timer.isActive():
-            self.survey.start()
+        if not self._begin_timer.isActive():
+            if self._settings.get(SEARCHING):
+                self.search.start()
+            if self._settings.get(RANKING):
+                self.survey.start()
         self.restore_last_layout()
 
     # --- the 3D view -------------------------------------------------------------------------
@@ -267,6 +288,15 @@ class Workspace(PanedWindow):
         self.message.emit(self.tr("Trails reach {0} s back and ahead.").format(f"{seconds:g}"))
 
     # --- gaps --------------------------------------------------------------------------------
+
+    def apply(self, *, go_on: bool) -> None:
+        """Make the previewed repair an edit, or fix the current problem; go on to the next."""
+        if self.view.suspect is not None:
+            self.bad_actions.fix()
+        elif go_on:
+            self.gap_actions.apply_and_go_on()
+        else:
+            self.gap_actions.apply()
 
     def fill_all(self) -> None:
         """Fill every gap within the limits, in one undoable step."""
@@ -313,13 +343,29 @@ class Workspace(PanedWindow):
         self.previewer.choose(self.repair.method(), self.repair.compared())
 
     def _lead(self) -> None:
-        """Begin at the worst gap that is known, unless the user has begun already."""
+        """Begin at the worst problem that is known, unless the user has begun already."""
         untouched = self.view.gap == self._first and not self.document.undo_stack.count()
         if self.survey.portions != 1 or not untouched:
             return
         worst = self.queue.worst()
         if worst is not None:
-            self._show_gap(worst)
+            self._show_problem(worst)
+
+    def _lead_to_bad(self) -> None:
+        """Begin at the worst of the bad samples where there is no gap to begin at."""
+        view, worst = self.view, self.queue.worst()
+        begun = view.gap is not None or view.suspect is not None or view.selection != (0,)
+        begun = begun or self._first is not None or bool(self.document.undo_stack.count())
+        if worst is not None and not begun:
+            self._show_problem(worst)
+
+    def _show_problem(self, problem: Problem) -> None:
+        if problem.bad is None:
+            self._show_gap(problem.gap)
+            return
+        self.view.select((problem.gap.marker,))
+        self.view.set_suspect(problem.bad)
+        self.view.set_frame((problem.gap.start + problem.gap.stop - 1) // 2)
 
     def _look_at_journal(self) -> None:
         if self.recorder.poll():

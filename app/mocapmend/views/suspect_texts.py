@@ -1,0 +1,71 @@
+"""What is said of runs of bad samples, in the user's language."""
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtCore import QCoreApplication
+
+from mocapmend.doubts import BY_HAND
+from mocapmend.problem_list import GAP
+from mocapmend.translate import QT_TRANSLATE_NOOP
+from mocapmend_algorithms import Recording
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.problems.registry import DETECTORS
+
+translate = QCoreApplication.translate
+
+_KINDS = {
+    GAP: QT_TRANSLATE_NOOP("Suspects", "Gap"),
+    "spikes": QT_TRANSLATE_NOOP("Suspects", "Spike"),
+    "swaps": QT_TRANSLATE_NOOP("Suspects", "Swap"),
+    "fragments": QT_TRANSLATE_NOOP("Suspects", "Fragment"),
+    "tails": QT_TRANSLATE_NOOP("Suspects", "Ragged end"),
+    "frozen": QT_TRANSLATE_NOOP("Suspects", "Frozen"),
+    "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Bone break"),
+    "far": QT_TRANSLATE_NOOP("Suspects", "Far away"),
+    "reflections": QT_TRANSLATE_NOOP("Suspects", "Coincidence"),
+    BY_HAND: QT_TRANSLATE_NOOP("Suspects", "By hand"),
+}
+"""What one of them is called."""
+
+
+def kind_text(kind: str) -> str:
+    """Return what a gap, or a bad run of a kind, is called; the id of one that is not known."""
+    known = _KINDS.get(kind)
+    return kind if known is None else translate("Suspects", known)
+
+
+def detector_text(kind: str) -> str:
+    """Return what the bad runs of a kind are called together."""
+    known = DETECTORS.get(kind)
+    return kind_text(kind) if known is None else translate("Detectors", known.label)
+
+
+def markers_text(run: BadRun, names: Sequence[str]) -> str:
+    """Return the marker of a run, or both where samples are in each other's place."""
+    if run.other is None or run.kind not in ("swaps", "fragments"):
+        return names[run.marker]
+    return f"{names[run.marker]} ↔ {names[run.other]}"
+
+
+def title_text(run: BadRun, names: Sequence[str]) -> str:
+    """Return what a run is and of which marker."""
+    text = translate("Suspects", "{0}: {1}")
+    return text.format(kind_text(run.kind), markers_text(run, names))
+
+
+def deviation_text(run: BadRun, recording: Recording) -> str:
+    """Return how far a run is off."""
+    if math.isnan(run.deviation):
+        return ""
+    off = f"{run.deviation * recording.mm:.1f}"
+    return translate("Suspects", "{0} mm off").format(off)
+
+
+def score_text(run: BadRun) -> str:
+    """Return how sure it is that a run is bad."""
+    if math.isnan(run.score):
+        return kind_text(run.kind)
+    return translate("Suspects", "{0}, {1} % sure").format(
+        kind_text(run.kind), f"{100.0 * run.score:.0f}"
+    )
