@@ -156,6 +156,22 @@ class Suspects:
         return next((run for run in known if run and {run.marker, run.other} == pair), None)
 
 
+def by_marker(runs: Iterable[BadRun]) -> dict[int, list[BadRun]]:
+    """Return the bad runs of each marker; what is exchanged is wrong in both."""
+    found: dict[int, list[BadRun]] = {}
+    for run in runs:
+        for marker in markers_of(run):
+            found.setdefault(marker, []).append(run)
+    return found
+
+
+def markers_of(run: BadRun) -> tuple[int, ...]:
+    """Return the markers that a bad run is wrong in: both, where they are to be exchanged."""
+    if run.other is None or DETECTORS[run.kind].remedy != "exchange":
+        return (run.marker,)
+    return run.marker, run.other
+
+
 def place_of(run: BadRun) -> Gap:
     """Return where a bad run is."""
     return Gap(run.marker, run.start, run.stop)

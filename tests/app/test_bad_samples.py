@@ -212,7 +212,7 @@ class TestSteps:
         assert view.visible[0] < SWAP.start < SWAP.stop < view.visible[1]
         assert box.isVisible()
         assert not workspace.repair._gap_box.isVisible()
-        assert "Swap: RELB ↔ LWRA" in box._title.text()
+        assert "Swapped labels: RELB ↔ LWRA" in box._title.text()
         assert "each continue the other" in box._about.text()
         view.go_to(HOLE)
         assert not box.isVisible()

@@ -15,7 +15,12 @@ from mocapmend.ranking import Problem, Status
 from mocapmend.suspects import Suspects
 from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
-from mocapmend.views.suspect_texts import kind_text, markers_text, score_text
+from mocapmend.views.suspect_texts import (
+    detector_text,
+    kind_text,
+    markers_text,
+    score_text,
+)
 from mocapmend.views.tables import LEFT, RIGHT, frames_text
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.problems import BadRun
@@ -342,7 +347,8 @@ class QueueModel(QAbstractTableModel):
             )
         ]
         if problem.bad is not None:
-            lines.append(score_text(problem.bad))
+            about = (detector_text(problem.bad.kind), score_text(problem.bad))
+            lines.append(", ".join(filter(None, about)))
         if problem.reason:
             lines.append(shown(problem.reason))
         if best is not None:

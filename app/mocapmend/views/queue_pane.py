@@ -181,7 +181,7 @@ class QueuePane(QWidget):
 
     def _kinds(self) -> tuple[_Choice, ...]:
         return (
-            _Choice(self.tr("Gaps and bad samples"), ALL_KINDS),
+            _Choice(self.tr("All kinds"), ALL_KINDS),
             _Choice(self.tr("Gaps"), (GAP,)),
             _Choice(self.tr("Bad samples"), KINDS),
             *(_Choice(detector_text(kind), (kind,)) for kind in KINDS),
@@ -208,6 +208,8 @@ class QueuePane(QWidget):
 
     def _arrange(self) -> None:
         tops = QGridLayout()
+        for column in (0, 1):
+            tops.setColumnStretch(column, 1)
         tops.addWidget(self.filter, 0, 0)
         tops.addWidget(self.kind, 0, 1)
         tops.addWidget(self.status, 1, 0)

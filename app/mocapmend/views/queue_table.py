@@ -14,8 +14,8 @@ from mocapmend.views.tables import dress
 
 FIRST = (Column.STATUS, Column.KIND, Column.FRAMES, Column.ERROR, Column.HARM)
 """Are seen beside the marker; the others are further to the right."""
-PADDING = 14
-LEAST_NAME = "MMMMMMM"
+PADDING = 10
+LEAST_NAME = "MMMMMM"
 
 
 class QueueTable(QTableView):

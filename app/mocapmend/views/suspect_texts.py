@@ -19,14 +19,28 @@ _KINDS = {
     "spikes": QT_TRANSLATE_NOOP("Suspects", "Spike"),
     "swaps": QT_TRANSLATE_NOOP("Suspects", "Swap"),
     "fragments": QT_TRANSLATE_NOOP("Suspects", "Fragment"),
-    "tails": QT_TRANSLATE_NOOP("Suspects", "Ragged end"),
+    "tails": QT_TRANSLATE_NOOP("Suspects", "Ragged"),
     "frozen": QT_TRANSLATE_NOOP("Suspects", "Frozen"),
-    "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Bone break"),
-    "far": QT_TRANSLATE_NOOP("Suspects", "Far away"),
-    "reflections": QT_TRANSLATE_NOOP("Suspects", "Coincidence"),
+    "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Bone"),
+    "far": QT_TRANSLATE_NOOP("Suspects", "Far"),
+    "reflections": QT_TRANSLATE_NOOP("Suspects", "Double"),
     BY_HAND: QT_TRANSLATE_NOOP("Suspects", "By hand"),
 }
-"""What one of them is called."""
+"""What one of them is called where there is little room."""
+
+
+_NAMES = {
+    "spikes": QT_TRANSLATE_NOOP("Suspects", "Spike"),
+    "swaps": QT_TRANSLATE_NOOP("Suspects", "Swapped labels"),
+    "fragments": QT_TRANSLATE_NOOP("Suspects", "Fragment or ghost"),
+    "tails": QT_TRANSLATE_NOOP("Suspects", "Ragged end"),
+    "frozen": QT_TRANSLATE_NOOP("Suspects", "Frozen samples"),
+    "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Broken bone"),
+    "far": QT_TRANSLATE_NOOP("Suspects", "Far from the body"),
+    "reflections": QT_TRANSLATE_NOOP("Suspects", "Coinciding points"),
+    BY_HAND: QT_TRANSLATE_NOOP("Suspects", "Set aside by hand"),
+}
+"""What one of them is called where there is room."""
 
 
 def kind_text(kind: str) -> str:
@@ -36,7 +50,7 @@ def kind_text(kind: str) -> str:
 
 
 def detector_text(kind: str) -> str:
-    """Return what the bad runs of a kind are called together."""
+    """Return what the bad runs of a kind are called together, in whole words."""
     known = DETECTORS.get(kind)
     return kind_text(kind) if known is None else translate("Detectors", known.label)
 
@@ -50,8 +64,8 @@ def markers_text(run: BadRun, names: Sequence[str]) -> str:
 
 def title_text(run: BadRun, names: Sequence[str]) -> str:
     """Return what a run is and of which marker."""
-    text = translate("Suspects", "{0}: {1}")
-    return text.format(kind_text(run.kind), markers_text(run, names))
+    text, name = translate("Suspects", "{0}: {1}"), _NAMES.get(run.kind, run.kind)
+    return text.format(translate("Suspects", name), markers_text(run, names))
 
 
 def deviation_text(run: BadRun, recording: Recording) -> str:
@@ -63,9 +77,7 @@ def deviation_text(run: BadRun, recording: Recording) -> str:
 
 
 def score_text(run: BadRun) -> str:
-    """Return how sure it is that a run is bad."""
+    """Return how sure it is that a run is bad; empty where nobody has said it."""
     if math.isnan(run.score):
-        return kind_text(run.kind)
-    return translate("Suspects", "{0}, {1} % sure").format(
-        kind_text(run.kind), f"{100.0 * run.score:.0f}"
-    )
+        return ""
+    return translate("Suspects", "{0} % sure").format(f"{100.0 * run.score:.0f}")

@@ -50,7 +50,7 @@ from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
 TAB_HEIGHT = 36
-MARKERS_WIDTH, REPAIR_WIDTH = (336, 460), (280, 400)
+MARKERS_WIDTH, REPAIR_WIDTH = (352, 470), (280, 400)
 """Of the panes at the sides, from where they can be read to where all of it can."""
 GOOD_BOTTOM = 0.22
 """Share of the window's height that the timeline takes where its lanes are still low."""
@@ -148,7 +148,7 @@ class Workspace(PanedWindow):
         self.filling.ended.connect(self._show_filling)
         self.filling.done.connect(self._show_done)
         self.survey.advanced.connect(self._lead)
-        self.search.changed.connect(self.repair.show_problem)
+        self.search.changed.connect(self._show_suspects)
         self.search.changed.connect(self._lead_to_bad)
         self._preview()
         document.left_open_changed.connect(self.report.refresh)
@@ -350,6 +350,13 @@ class Workspace(PanedWindow):
         worst = self.queue.worst()
         if worst is not None:
             self._show_problem(worst)
+
+    def _show_suspects(self) -> None:
+        found = self.search.suspects.found
+        self.timeline.set_suspects(found)
+        self.trajectories.set_suspects(found)
+        self.scene.set_suspects(found)
+        self.repair.show_problem()
 
     def _lead_to_bad(self) -> None:
         """Begin at the worst of the bad samples where there is no gap to begin at."""
