@@ -1,7 +1,7 @@
 """The measured samples of an open recording that are believed, while corrections change. No Qt."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -109,15 +109,12 @@ class Believed:
             points[rows, run.marker] = values
             present[rows, run.marker] = ~np.isnan(values[:, 0])
         # Views: the recording makes what it gets read-only.
-        self.recording = Recording(
-            points.view(),
-            self.recording.labels,
-            self.recording.rate,
-            unit=self.recording.unit,
-            up=self.recording.up,
-            first_frame=self.recording.first_frame,
-            seen=present.view(),
-        )
+        self.recording = replace(self.recording, points=points.view(), seen=present.view())
+
+    def rename(self, labels: tuple[str, ...]) -> None:
+        """Give the markers other labels."""
+        former = self.recording
+        self.recording = replace(former, labels=labels, seen=former.present)
 
     def _own(self) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
         """Return the arrays to be written, which are copies of the file's."""

@@ -1,6 +1,6 @@
 """What the repairs of a recording change in its file, and what its repair record says. No Qt."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any, TypedDict, TypeVar
@@ -13,11 +13,13 @@ from mocapmend.files import (
     NO_CORRECTIONS,
     Corrections,
     KeptGap,
+    Renamed,
     RepairRecord,
     SampleRun,
     SmoothedRun,
     Source,
 )
+from mocapmend.files.corrections import changed_labels
 from mocapmend.files.records import RecordedRun
 from mocapmend.layers import Layers, Mask
 from mocapmend.written import Places, differing_runs, places_of
@@ -50,6 +52,11 @@ class Changes:
     kept_open: tuple[KeptGap, ...] = ()
     corrections: Corrections = NO_CORRECTIONS
 
+    def labels(self, source: Source) -> dict[int, str]:
+        """Return the labels that the copy has in place of the file's, by stored point from 0."""
+        earlier = NO_CORRECTIONS if source.provenance is None else source.provenance.corrections
+        return changed_labels(earlier.renamed, self.corrections.renamed)
+
 
 @dataclass(frozen=True, eq=False)
 class Repaired:
@@ -69,6 +76,8 @@ class Repaired:
         The gaps that are kept open.
     smoothed : mapping of Gap to SmoothedRun
         The runs that are smoothed, earlier ones included.
+    renamed : tuple of Renamed
+        The points with other labels, earlier ones included.
     """
 
     layers: Layers
@@ -77,6 +86,7 @@ class Repaired:
     fills: Mapping[Gap, RepairRecord]
     kept_open: Mapping[Gap, KeptGap]
     smoothed: Mapping[Gap, SmoothedRun] = field(default_factory=dict)
+    renamed: tuple[Renamed, ...] = ()
 
     @cached_property
     def recording(self) -> Recording:
@@ -90,8 +100,7 @@ class Repaired:
         """Return what differs from the file."""
         source = self.layers.source
         runs = differing_runs(self.values, source.recording.points, self.places)
-        earlier = NO_CORRECTIONS if source.provenance is None else source.provenance.corrections
-        others = Corrections(smoothed=_ordered(self.smoothed), renamed=earlier.renamed)
+        others = Corrections(smoothed=_ordered(self.smoothed), renamed=self.renamed)
         return Changes(
             (*runs, *self.layers.stored_runs(self._untouched)),
             _ordered(self.fills),
@@ -126,9 +135,10 @@ def earlier(layers: Layers, without: Collection[Gap] = ()) -> Repaired:
 
 def bare(layers: Layers) -> Repaired:
     """Return a recording without any repair but its corrections, and its open gaps as they were."""
-    places, smoothed_before = places_of(merged_runs(layers.touched())), layers.source.smoothed
+    source, places = layers.source, places_of(merged_runs(layers.touched()))
+    renamed = () if source.provenance is None else source.provenance.corrections.renamed
     values = layers.recording.points[places]
-    return Repaired(layers, places, values, {}, layers.kept_open, smoothed_before)
+    return Repaired(layers, places, values, {}, layers.kept_open, source.smoothed, renamed)
 
 
 def filled(before: Repaired, result: FillResult, method_id: str, params: Any) -> Repaired:
@@ -160,11 +170,37 @@ def smoothed(before: Repaired, result: SmoothResult) -> Repaired:
     """Return a recording with runs smoothed."""
     runs, source = dict(before.smoothed), before.layers.source
     for done in result.runs:
-        parameters = {**result.params, **done.chosen}
-        change = done.rms * source.recording.mm
-        runs[done.run] = SmoothedRun(*source.place(done.run), result.method, parameters, change)
-    made = _with(before, {done.run: done.values for done in result.runs})
-    return replace(before, **made, smoothed=runs)
+        made = result.method, result.params, done.chosen
+        runs[done.run] = smoothed_record(source, done.run, *made, done.rms)
+    written = _with(before, {done.run: done.values for done in result.runs})
+    return replace(before, **written, smoothed=runs)
+
+
+def with_new_labels(source: Source, changes: Changes) -> Changes:
+    """Return changes whose entries name markers as the copy does, which may have other labels."""
+    labels = changes.labels(source)
+    if not labels:
+        return changes
+
+    def named(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
+        return tuple(
+            replace(entry, marker=labels.get(entry.point - 1, entry.marker)) for entry in entries
+        )
+
+    corrections = changes.corrections
+    moved = tuple(
+        replace(entry, from_marker=labels.get(entry.from_point - 1, entry.from_marker))
+        for entry in named(corrections.moved)
+    )
+    corrections = Corrections(
+        named(corrections.set_aside), moved, named(corrections.smoothed), corrections.renamed
+    )
+    return replace(
+        changes,
+        repairs=named(changes.repairs),
+        kept_open=named(changes.kept_open),
+        corrections=corrections,
+    )
 
 
 class _Written(TypedDict):
@@ -216,6 +252,41 @@ def record(
         expected_error_mm=patch.expected_error * recording.mm,
         r90_mm=patch.typical_r90 * recording.mm,
     )
+
+
+def renames(source: Source, labels: Sequence[str]) -> tuple[Renamed, ...]:
+    """Return the points that are called otherwise than they were first.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+    labels : sequence of str, length markers
+        What its markers are called now.
+    """
+    known = () if source.provenance is None else source.provenance.corrections.renamed
+    former = {entry.point: entry.former for entry in known}
+    points = (point + 1 for point in source.stored_points)
+    return tuple(
+        Renamed(point, former.get(point, stored), label)
+        for point, stored, label in sorted(
+            zip(points, source.recording.labels, labels, strict=True)
+        )
+        if label != former.get(point, stored)
+    )
+
+
+def smoothed_record(
+    source: Source,
+    run: Gap,
+    method_id: str,
+    params: Mapping[str, Any],
+    chosen: Mapping[str, Any],
+    rms: float,
+) -> SmoothedRun:
+    """Describe a smoothed run for the repair record; `rms` is in the recording's unit."""
+    change = rms * source.recording.mm
+    return SmoothedRun(*source.place(run), method_id, dict(params), dict(chosen), change)
 
 
 def kept_gap(source: Source, gap: Gap, *, never: bool, reason: str) -> KeptGap:

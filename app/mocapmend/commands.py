@@ -1,6 +1,6 @@
 """Undo commands: they hold the runs before and after, never a copy of the whole."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from weakref import ref
 
 import numpy as np
@@ -14,6 +14,8 @@ from mocapmend.edits import Contents, Edit
 class EditSamples(QUndoCommand):
     """One undoable step that writes any number of runs: samples, or why they stay missing.
 
+    It may correct samples and rename markers too.
+
     Parameters
     ----------
     document : Document
@@ -24,13 +26,19 @@ class EditSamples(QUndoCommand):
         What the user reads in the menu and in the history.
     correction : Correction, optional
         What is exchanged or set aside after that.
+    labels : mapping of int to str, optional
+        What markers are called from now on.
 
     Attributes
     ----------
     edits : tuple of Edit
         What it writes.
+    unsmoothed : list of Edit
+        Those of them that take smoothing off what is to be changed.
     correction : Correction or None
         What it exchanges and sets aside.
+    labels : dict of int to str
+        What it calls markers.
     cleared : int
         Samples that it sets missing.
     """
@@ -41,15 +49,23 @@ class EditSamples(QUndoCommand):
         edits: Sequence[Edit],
         text: str,
         correction: Correction | None = None,
+        labels: Mapping[int, str] | None = None,
     ) -> None:
         super().__init__(text)
         # The document has the stack that this is on. If they kept each other, it would be left to
         # Python's garbage collector to delete both, in an order at which Qt may crash.
         self._document = ref(document)
-        self.edits = tuple(edits)
+        runs = [edit.gap for edit in edits]
+        if correction is not None:
+            runs += correction.runs
+        # The last layer goes first, and comes back with undoing.
+        self.unsmoothed = document.without_smoothing(runs) if document.smoothed else []
+        self.edits = (*self.unsmoothed, *edits)
         self._after = Contents.of(self.edits)
         self._before = document.contents(self._after.gaps, self._after.places)
         self.correction = correction
+        self.labels = dict(labels or {})
+        self._former_labels = {marker: document.labels[marker] for marker in self.labels}
         self._bases = document.base_revision, document.base_revision
         if correction is not None:
             self._bases = document.base_revision, document.new_base_revision()
@@ -63,10 +79,14 @@ class EditSamples(QUndoCommand):
         _write(document, self._after)
         if self.correction is not None:
             document.correct(self.correction, self._bases[1])
+        if self.labels:
+            document.rename(self.labels)
 
     def undo(self) -> None:
         """Write the old runs back."""
         document = self._opened()
+        if self.labels:
+            document.rename(self._former_labels)
         if self.correction is not None:
             document.correct(self.correction.inverse, self._bases[0])
         _write(document, self._before)

@@ -1,7 +1,8 @@
 """The open recording: the only owner and the only writer of its samples."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import compress
 from typing import TypeVar
 
 import numpy as np
@@ -11,7 +12,7 @@ from PySide6.QtGui import QUndoStack
 
 from mocapmend.believed import Believed, Correction
 from mocapmend.doubts import Doubts
-from mocapmend.edits import Contents, Edit, Repair
+from mocapmend.edits import Contents, Edit, Repair, Smoothed
 from mocapmend.files import Source
 from mocapmend.files.records import NEVER_FILLED
 from mocapmend.layers import Layers
@@ -54,6 +55,7 @@ class Document(QObject):
         Owns the document.
     """
 
+    names_changed = Signal()
     samples_changed = Signal(tuple)
     base_changed = Signal()
     left_open_changed = Signal()
@@ -79,6 +81,9 @@ class Document(QObject):
         self._newest_base = 0
         self._earlier = dict(_earlier_repairs(source))
         self.repairs = dict(self._earlier)
+        self._smoothed_earlier = dict(_earlier_smoothing(source))
+        self.smoothed = dict(self._smoothed_earlier)
+        """The runs that are smoothed, and how. What else changes them takes that off first."""
         self.left_open: dict[Gap, str] = {}
         """Why fills left gaps open: results, no edits."""
         self._reasons = {gap: kept.reason for gap, kept in source.kept_open.items()}
@@ -224,6 +229,23 @@ class Document(QObject):
         return self._believed.recording
 
     @property
+    def labels(self) -> tuple[str, ...]:
+        """What the markers are called now."""
+        return self.original.labels
+
+    def rename(self, labels: Mapping[int, str]) -> None:
+        """Give markers other labels. For undo commands alone."""
+        new = list(self.labels)
+        for marker, label in labels.items():
+            new[marker] = label
+        self.original = replace(self.original, labels=tuple(new))
+        self._believed.rename(tuple(new))
+        self.names = short_names(new)
+        # Workers find markers by their labels.
+        self._shared = self._shared_base = self._shared_original = self._shared_file = None
+        self.names_changed.emit()
+
+    @property
     def doubts(self) -> Doubts:
         """The runs that are set aside, with the reasons; not to be changed."""
         return self._believed.doubts
@@ -266,7 +288,8 @@ class Document(QObject):
     def _shared_with(self, runs: Collection[Gap], points: NDArray[np.float64]) -> SharedRecording:
         """Return the samples of the file, but those of some runs."""
         if self._shared_file is None:
-            self._shared_file = SharedRecording(self.source.recording)
+            named = replace(self.source.recording, labels=self.labels)
+            self._shared_file = SharedRecording(named)
         if not runs:
             return self._shared_file
         frames, markers = places = places_of(runs)
@@ -293,21 +316,78 @@ class Document(QObject):
             self.state[places],
             tuple(map(self.repairs.get, runs)),
             tuple(map(self._reasons.get, runs)),
+            tuple(map(self.smoothed.get, runs)),
         )
 
     def apply(self, new: Contents) -> None:
         """Write runs of samples, and the reasons of gaps. For undo commands alone."""
-        _set(self._reasons, new.gaps, new.reasons)
+        # What is smoothed keeps what it has beneath.
+        beneath = [made is None for made in new.smoothed]
+        _set(self._reasons, compress(zip(new.gaps, new.reasons, strict=True), beneath))
         new = self._with_doubts(new)
         if np.array_equal(new.states, self.state[new.places]) and new.absent.all():
             self.left_open_changed.emit()
             return
         self._samples.writable()[new.places] = new.values
         self._states.write(new.places, new.states, {gap.marker for gap in new.gaps})
-        _set(self.repairs, new.gaps, new.repairs)
+        _set(self.repairs, compress(zip(new.gaps, new.repairs, strict=True), beneath))
+        _set(self.smoothed, zip(new.gaps, new.smoothed, strict=True))
         self._written.update(new.gaps)
         self.revision += 1
         self.samples_changed.emit(new.gaps)
+
+    def beneath(self, run: Gap) -> Edit:
+        """Return what a run would hold without smoothing, as the edit that takes it off.
+
+        What was smoothed when the file was opened stays so: what was measured is not in it.
+        """
+        rows, marker = slice(run.start, run.stop), run.marker
+        states = self.state[rows, marker].copy()
+        states[states == SampleState.SMOOTHED] = SampleState.MEASURED
+        values = self.base.points[rows, marker].copy()
+        values[np.isin(states, ABSENT)] = np.nan
+        # What is filled is one gap: those beside each other would be one.
+        for gap in self._states.as_gaps(marker, SampleState.FILLED):
+            if gap.start < run.stop and run.start < gap.stop:
+                start, stop = max(gap.start, run.start), min(gap.stop, run.stop)
+                filled = self.repairs[gap].patch.values[start - gap.start : stop - gap.start]
+                values[start - run.start : stop - run.start] = filled
+        return Edit(run, values, states, self.repairs.get(run), self._reasons.get(run))
+
+    def without_smoothing(self, runs: Collection[Gap]) -> list[Edit]:
+        """Return the edits that take smoothing off where it depends on what some runs hold.
+
+        These are runs of samples on end: what lies beyond a gap makes no difference to smoothing.
+        """
+        of_marker: dict[int, list[Gap]] = {}
+        for run in runs:
+            of_marker.setdefault(run.marker, []).append(run)
+        return [
+            self.beneath(run)
+            for run, made in sorted(self.smoothed.items(), key=lambda item: item[0])
+            if self._smoothed_earlier.get(run) is not made
+            and self._meets(run, of_marker.get(run.marker, ()))
+        ]
+
+    def _meets(self, run: Gap, others: Sequence[Gap]) -> bool:
+        """Say whether one of some runs of a marker has to do with the samples around a run."""
+        if not others:
+            return False
+        missing = np.flatnonzero(np.isin(self.state[:, run.marker], ABSENT))
+        before, after = np.searchsorted(missing, (run.start, run.stop))
+        start = missing[before - 1] if before else 0
+        stop = missing[after] + 1 if after < len(missing) else len(self.state)
+        return any(start < other.stop and other.start < stop for other in others)
+
+    def share_beneath(self) -> SharedRecording:
+        """Return the current samples without smoothing for a background job."""
+        edits = self.without_smoothing(self.smoothed)
+        if not edits:
+            return self.share()
+        points = self.points.copy()
+        for edit in edits:
+            points[edit.gap.start : edit.gap.stop, edit.gap.marker] = edit.values
+        return self._shared_with(self._written, points)
 
     def correct(self, correction: Correction, revision: int) -> None:
         """Exchange samples and set runs aside, or the like backwards. For undo commands alone.
@@ -355,6 +435,8 @@ class Document(QObject):
             repairs=dict(self.repairs),
             never={gap: self.never_reason(gap) for gap in self.never},
             set_aside=self.set_aside,
+            smoothed=dict(self.smoothed),
+            labels=self.labels,
         )
 
     def repair_rows(self) -> list[RepairRow]:
@@ -372,9 +454,15 @@ def _earlier_repairs(source: Source) -> Iterator[tuple[Gap, Repair]]:
         yield gap, Repair(record.method, record.parameters, patch, record.donors)
 
 
-def _set(known: dict[Gap, T], gaps: Sequence[Gap], values: Sequence[T | None]) -> None:
+def _earlier_smoothing(source: Source) -> Iterator[tuple[Gap, Smoothed]]:
+    for run, entry in source.smoothed.items():
+        rms = entry.rms_change_mm / source.recording.mm
+        yield run, Smoothed(entry.method, entry.parameters, entry.chosen, rms)
+
+
+def _set(known: dict[Gap, T], values: Iterable[tuple[Gap, T | None]]) -> None:
     """Set what is known of gaps; None is nothing."""
-    for gap, value in zip(gaps, values, strict=True):
+    for gap, value in values:
         if value is None:
             known.pop(gap, None)
         else:

@@ -1,6 +1,6 @@
 """What an edit writes: runs of samples, how they were repaired, why they stay missing. No Qt."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -11,6 +11,7 @@ from mocapmend.state import ABSENT, SampleState
 from mocapmend.written import Places, places_of, shares_of
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult, Patch
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 FILLED = np.uint8(SampleState.FILLED)
 
@@ -39,6 +40,27 @@ class Repair(NamedTuple):
     base: int = 0
 
 
+class Smoothed(NamedTuple):
+    """How a run was smoothed.
+
+    Attributes
+    ----------
+    method : str
+        Id of the smoothing method.
+    params : mapping
+        The method's parameters.
+    chosen : mapping
+        What it chose by itself.
+    rms : float
+        How far samples were moved, in the recording's unit.
+    """
+
+    method: str
+    params: Mapping[str, Any]
+    chosen: Mapping[str, Any]
+    rms: float
+
+
 @dataclass(frozen=True, eq=False)
 class Edit:
     """What a run of one marker shall hold (or held): its samples, and why they may be missing.
@@ -56,6 +78,8 @@ class Edit:
     reason : str or None
         Set when the run is a gap that the user keeps open: why. A gap that shall never be filled
         is kept so without one too.
+    smoothed : Smoothed or None
+        Set when the run is smoothed: what it has of repairs and reasons stays as it is.
     """
 
     gap: Gap
@@ -63,6 +87,7 @@ class Edit:
     states: NDArray[np.uint8]
     repair: Repair | None = None
     reason: str | None = None
+    smoothed: Smoothed | None = None
 
     @classmethod
     def fill(
@@ -93,6 +118,26 @@ class Edit:
         ]
 
     @classmethod
+    def smoothings(cls, result: SmoothResult, beneath: Callable[[Gap], "Edit"]) -> list["Edit"]:
+        """Make the edits that put smoothed samples in their places.
+
+        Parameters
+        ----------
+        result : SmoothResult
+            What was smoothed.
+        beneath : callable
+            Returns what a run holds without smoothing; see `Document.beneath`.
+        """
+        edits = []
+        for done in result.runs:
+            now = beneath(done.run)
+            states = now.states.copy()
+            states[states == SampleState.MEASURED] = SampleState.SMOOTHED
+            made = Smoothed(result.method, result.params, done.chosen, done.rms)
+            edits.append(cls(done.run, done.values, states, smoothed=made))
+        return edits
+
+    @classmethod
     def clear(
         cls, gap: Gap, state: SampleState = SampleState.MISSING, reason: str | None = None
     ) -> "Edit":
@@ -119,6 +164,8 @@ class Contents:
         How each run was filled.
     reasons : tuple of str or None
         Why each run is kept open.
+    smoothed : tuple of Smoothed or None
+        How each run was smoothed.
     """
 
     gaps: tuple[Gap, ...]
@@ -127,6 +174,7 @@ class Contents:
     states: NDArray[np.uint8]
     repairs: tuple[Repair | None, ...]
     reasons: tuple[str | None, ...]
+    smoothed: tuple[Smoothed | None, ...]
 
     @classmethod
     def of(cls, edits: Sequence[Edit]) -> "Contents":
@@ -139,6 +187,7 @@ class Contents:
             np.concatenate([np.empty(0, np.uint8), *(edit.states for edit in edits)]),
             tuple(edit.repair for edit in edits),
             tuple(edit.reason for edit in edits),
+            tuple(edit.smoothed for edit in edits),
         )
 
     @property
@@ -148,7 +197,6 @@ class Contents:
 
     def edits(self) -> Iterator[Edit]:
         """Yield the edits, one for each run."""
-        for gap, own, repair, reason in zip(
-            self.gaps, shares_of(self.gaps), self.repairs, self.reasons, strict=True
-        ):
-            yield Edit(gap, self.values[own], self.states[own], repair, reason)
+        known = zip(self.repairs, self.reasons, self.smoothed, strict=True)
+        for gap, own, of_run in zip(self.gaps, shares_of(self.gaps), known, strict=True):
+            yield Edit(gap, self.values[own], self.states[own], *of_run)

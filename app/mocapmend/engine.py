@@ -17,6 +17,7 @@ from mocapmend.changes import changes_of as changes_of
 from mocapmend.changes import kept_gap as kept_gap
 from mocapmend.changes import record as record
 from mocapmend.changes import repaired as repaired
+from mocapmend.changes import with_new_labels
 from mocapmend.errors import MocapmendError
 from mocapmend.files import (
     CheckReport,
@@ -38,6 +39,10 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
+from mocapmend_algorithms.labelling import Labelling, LabelModel, LabelParams
+from mocapmend_algorithms.labelling import label as propose_labels
+from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import (
     Skeleton,
@@ -150,6 +155,22 @@ def _searched(recording: Recording, own: Sequence[Template], progress: Progress)
     if known.segments:
         return known
     return replace(known, segments=segments_from_distances(recording, progress))
+
+
+def problems(
+    recording: Recording,
+    skeleton: Skeleton,
+    ids: Sequence[str] | None,
+    progress: Progress,
+) -> list[BadRun]:
+    """Look for samples that are there but wrong; see `detect`.
+
+    Raises
+    ------
+    KeyError
+        If there is no detector of an id.
+    """
+    return detect(recording, skeleton, ids, progress)
 
 
 def fill(
@@ -287,6 +308,31 @@ def train_sparse(
     return made
 
 
+def label(
+    recording: Recording, examples: Sequence[Recording], params: LabelParams, progress: Progress
+) -> Labelling:
+    """Propose labels for a recording's points, learned from labelled recordings.
+
+    Raises
+    ------
+    MocapmendError
+        If nothing can be learned from the examples.
+    """
+    known = match_template(examples[0].labels, skeletons.load()) if examples else None
+    segments = [
+        [without_subject(examples[0].labels[marker]) for marker in segment.markers]
+        for segment in (known.segments if known else ())
+    ]
+    try:
+        model = LabelModel.learn(examples, segments, part(progress, 0.0, 0.1))
+    except ValueError as error:
+        raise MocapmendError(
+            f"No labels can be learned: {error}.",
+            todo="Choose recordings whose markers are labelled.",
+        ) from error
+    return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
+
+
 @dataclass(frozen=True)
 class Exported:
     """A file that was written, and the proofs that it is right.
@@ -352,13 +398,14 @@ def export(
     MocapmendError
         If it cannot be written, or if a proof fails. Then nothing has changed.
     """
+    changes = with_new_labels(source, changes)
     if not patches(source, out):
         points = source.recording.points.copy()
         for run in changes.runs:
             points[run.start : run.start + len(run.values), run.marker] = run.values
         saved = write_recording(
             source,
-            source.recording.with_points(points),
+            replace(source.recording, points=points, labels=_labels(source, changes)),
             changes.repairs,
             out,
             kept_open=changes.kept_open,
@@ -398,6 +445,14 @@ def export(
         confirm=prove,
     )
     return Exported(saved, *proofs[0])
+
+
+def _labels(source: Source, changes: Changes) -> tuple[str, ...]:
+    """Return what the markers of a copy are called."""
+    labels = list(source.recording.labels)
+    for point, label in changes.labels(source).items():
+        labels[source.markers_by_point[point + 1]] = label
+    return tuple(labels)
 
 
 def second_opinion(claim: Claim, progress: Progress) -> str:

@@ -16,8 +16,10 @@ from mocapmend.files import (
     Corrections,
     KeptGap,
     MovedRun,
+    Renamed,
     RepairRecord,
     SetAside,
+    SmoothedRun,
     Source,
 )
 from mocapmend.files.atomic import write_bytes
@@ -35,8 +37,22 @@ from mocapmend_algorithms import Progress, no_progress
 
 KEY = "mocapmend_recipe"
 MOST_BYTES = 50_000_000
-Entry = TypeVar("Entry", SetAside, MovedRun)
-EDITS = ("fill", "reopen", "keep open", "free", "set aside", "believe", "move", "move back")
+CORRECTED = ("set_aside", "moved", "renamed")
+"""Corrections that a recipe may take back."""
+Entry = TypeVar("Entry", SetAside, MovedRun, Renamed)
+EDITS = (
+    "fill",
+    "reopen",
+    "keep open",
+    "free",
+    "set aside",
+    "believe",
+    "move",
+    "move back",
+    "smooth",
+    "rename",
+    "rename back",
+)
 
 
 @dataclass(frozen=True)
@@ -63,6 +79,12 @@ class Recipe:
         Samples that are exchanged between markers from now on.
     moved_back : tuple of MovedRun
         Those that the file had exchanged before, and that are where they were stored.
+    smoothed : tuple of SmoothedRun
+        What is smoothed at last.
+    renamed : tuple of Renamed
+        Points that are called otherwise from now on.
+    renamed_back : tuple of Renamed
+        Those that the file had renamed before, and that have their first label again, or another.
     program : str
         The program that wrote the recipe, with its version.
     """
@@ -76,6 +98,9 @@ class Recipe:
     believed: tuple[SetAside, ...] = ()
     moved: tuple[MovedRun, ...] = ()
     moved_back: tuple[MovedRun, ...] = ()
+    smoothed: tuple[SmoothedRun, ...] = ()
+    renamed: tuple[Renamed, ...] = ()
+    renamed_back: tuple[Renamed, ...] = ()
     program: str = PROGRAM
 
     @property
@@ -84,6 +109,7 @@ class Recipe:
         return (
             *(self.fills, self.reopened, self.kept_open, self.freed),
             *(self.set_aside, self.believed, self.moved, self.moved_back),
+            *(self.smoothed, self.renamed, self.renamed_back),
         )
 
 
@@ -119,6 +145,9 @@ def recipe_of(
         believed=_without(former.set_aside, corrections.set_aside),
         moved=_without(corrections.moved, former.moved),
         moved_back=_without(former.moved, corrections.moved),
+        smoothed=tuple(item for item in corrections.smoothed if item not in former.smoothed),
+        renamed=_without(corrections.renamed, former.renamed),
+        renamed_back=_without(former.renamed, corrections.renamed),
     )
 
 
@@ -176,8 +205,10 @@ def _decode(raw: bytes) -> Recipe:
     (made_for,) = hashes([data.get("input_sha256")])
     of_kind = {word: [edit for edit in edits if edit["do"] == word] for word in EDITS}
     new, former = (
-        Corrections.from_lists({"set_aside": of_kind[aside], "moved": of_kind[moved]})
-        for aside, moved in (("set aside", "move"), ("believe", "move back"))
+        Corrections.from_lists(
+            {name: of_kind[word] for name, word in zip(CORRECTED, words, strict=True)}
+        )
+        for words in (("set aside", "move", "rename"), ("believe", "move back", "rename back"))
     )
     return Recipe(
         made_for,
@@ -186,6 +217,8 @@ def _decode(raw: bytes) -> Recipe:
         kept_gaps(of_kind["keep open"]),
         kept_gaps(of_kind["free"]),
         *(new.set_aside, former.set_aside, new.moved, former.moved),
+        Corrections.from_lists({"smoothed": of_kind["smooth"]}).smoothed,
+        *(new.renamed, former.renamed),
         program_name(data.get("program")),
     )
 

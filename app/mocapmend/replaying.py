@@ -4,16 +4,17 @@ import json
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from mocapmend import training
-from mocapmend.changes import earlier, filled
+from mocapmend import engine, training
+from mocapmend.changes import earlier, filled, smoothed
 from mocapmend.doubts import Doubt
 from mocapmend.engine import Changes, FillJob, fill_each
 from mocapmend.errors import MocapmendError
-from mocapmend.files import KeptGap, MovedRun, Source
+from mocapmend.files import KeptGap, MovedRun, Renamed, SmoothedRun, Source
+from mocapmend.files.corrections import changed_labels
 from mocapmend.files.records import RecordedRun, RepairRecord
 from mocapmend.files.sidecar import hash_file
 from mocapmend.layers import Layers
@@ -22,6 +23,16 @@ from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.smooth import registry as smoothers
+from mocapmend_algorithms.smooth.contract import SmoothResult
+
+
+class SmoothJob(NamedTuple):
+    """Runs that one method smooths with the same parameters."""
+
+    method: str
+    params: Any
+    runs: tuple[Gap, ...]
 
 
 @dataclass(frozen=True)
@@ -40,6 +51,10 @@ class Plan:
         Gaps that the file kept open before.
     layers : Layers
         What is exchanged and set aside, from which the gaps are filled.
+    smoothing : tuple of SmoothJob
+        What is smoothed at last.
+    renamed : tuple of Renamed
+        All points that are called otherwise than they were first.
     """
 
     reopened: tuple[Gap, ...]
@@ -47,6 +62,14 @@ class Plan:
     kept_open: Mapping[Gap, KeptGap]
     freed: tuple[Gap, ...]
     layers: Layers
+    smoothing: tuple[SmoothJob, ...]
+    renamed: tuple[Renamed, ...] = ()
+
+    def labels(self, source: Source) -> dict[int, str]:
+        """Return the labels that markers of the file get."""
+        known = () if source.provenance is None else source.provenance.corrections.renamed
+        labels = changed_labels(known, self.renamed)
+        return {source.markers_by_point[point + 1]: label for point, label in labels.items()}
 
 
 def plan(source: Source, recipe: Recipe) -> Plan:
@@ -86,6 +109,8 @@ def plan(source: Source, recipe: Recipe) -> Plan:
         dict(zip(kept, recipe.kept_open, strict=True)),
         tuple(freed),
         layers,
+        _smoothing(source, recipe.smoothed),
+        _renamed(source, recipe),
     )
 
 
@@ -134,6 +159,17 @@ def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> l
     return results
 
 
+def smooth(recording: Recording, job: SmoothJob, progress: Progress) -> SmoothResult:
+    """Smooth the runs of a job.
+
+    Raises
+    ------
+    MocapmendError
+        If the parameters do not fit the recording.
+    """
+    return engine.smooth(recording, job.runs, job.method, job.params, progress)
+
+
 def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     """Make the edits of a recipe in a file.
 
@@ -161,11 +197,13 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     made = earlier(planned.layers, without=planned.reopened)
     for job, result in zip(planned.jobs, results, strict=True):
         made = filled(made, result, job.method, job.params)
+    for smoothing in planned.smoothing:
+        made = smoothed(made, smooth(made.recording, smoothing, progress))
     kept_open = {**made.kept_open, **planned.kept_open}
     gaps = [gap for job in planned.jobs for gap in job.gaps]
     for gap in (*planned.freed, *_overlapping(source, gaps, source.kept_open)):
         kept_open.pop(gap, None)
-    return replace(made, kept_open=kept_open).changes()
+    return replace(made, kept_open=kept_open, renamed=planned.renamed).changes()
 
 
 def _layers(source: Source, recipe: Recipe) -> Layers:
@@ -200,6 +238,42 @@ def _move(source: Source, entry: MovedRun) -> Move:
             source, f"its point {entry.from_point} is not the marker {entry.from_marker}"
         )
     return Move(*_run_of(source, entry), origin)
+
+
+def _renamed(source: Source, recipe: Recipe) -> tuple[Renamed, ...]:
+    """Return what points are called after a recipe."""
+    known = () if source.provenance is None else source.provenance.corrections.renamed
+    entries = {entry.point: entry for entry in known}
+    for entry in recipe.renamed_back:
+        entries.pop(entry.point, None)
+    for entry in recipe.renamed:
+        marker = source.markers_by_point.get(entry.point)
+        if marker is None:
+            raise _does_not_fit(source, f"its point {entry.point} is no marker")
+        entries[entry.point] = entry
+    return tuple(entries[point] for point in sorted(entries))
+
+
+def _smoothing(source: Source, stated: Sequence[SmoothedRun]) -> tuple[SmoothJob, ...]:
+    """Return the smoothing of a recipe, what was done alike as one job."""
+    ways: dict[str, tuple[str, Any]] = {}
+    jobs: dict[str, list[Gap]] = {}
+    for item in stated:
+        # What was chosen for all of several runs depends on which these were.
+        together = dict(item.chosen) if item.parameters.get("cutoff_for") == "all" else {}
+        alike = json.dumps([item.method, dict(item.parameters), together], sort_keys=True)
+        if alike not in ways:
+            ways[alike] = _smoother(source, item)
+        jobs.setdefault(alike, []).append(_run_of(source, item))
+    return tuple(SmoothJob(*ways[key], tuple(sorted(runs))) for key, runs in jobs.items())
+
+
+def _smoother(source: Source, item: SmoothedRun) -> tuple[str, Any]:
+    try:
+        known = smoothers.smoother(item.method)
+        return known.id, smoothers.restore_params(known, item.parameters)
+    except (KeyError, ValueError) as error:
+        raise _unknown_method(source, error) from None
 
 
 def _has_twice(gaps: Collection[Gap]) -> bool:
@@ -262,13 +336,17 @@ def _method(source: Source, item: RepairRecord) -> tuple[str, Any]:
         method = registry.method(item.method)
         params = registry.restore_params(method, training.without_digests(item.parameters))
     except (KeyError, ValueError) as error:
-        raise MocapmendError(
-            f"The recipe cannot be replayed: {error.args[0]}.",
-            str(source.path),
-            "Use the version of the program that the recipe names.",
-        ) from None
+        raise _unknown_method(source, error) from None
     training.require_same(params, item.parameters)
     return method.id, params
+
+
+def _unknown_method(source: Source, error: Exception) -> MocapmendError:
+    return MocapmendError(
+        f"The recipe cannot be replayed: {error.args[0]}.",
+        str(source.path),
+        "Use the version of the program that the recipe names.",
+    )
 
 
 def _does_not_fit(source: Source, why: str) -> MocapmendError:

@@ -13,6 +13,8 @@ class SampleState(IntEnum):
     FILLED = 3
     NEVER = 4
     """Missing, and to be left so: no repair touches it."""
+    SMOOTHED = 5
+    """Measured, and smoothed since."""
 
 
 ABSENT = (SampleState.MISSING, SampleState.BAD, SampleState.NEVER)

@@ -33,6 +33,9 @@ class States:
         self._states[np.divmod(_places(~present.reshape(-1)), max(1, present.shape[1]))] = (
             SampleState.MISSING
         )
+        for run in source.smoothed:
+            states = self._states[run.start : run.stop, run.marker]
+            states[states == SampleState.MEASURED] = SampleState.SMOOTHED
         for run in source.set_aside:
             self._states[run.start : run.stop, run.marker] = SampleState.BAD
         for gap in source.repaired:

@@ -69,6 +69,7 @@ DARK = Theme(
         (SampleState.BAD, "#d55e00"),
         (SampleState.FILLED, "#56b4e9"),
         (SampleState.NEVER, "#8a6a2b"),
+        (SampleState.SMOOTHED, "#cc79a7"),
     ),
     curves=("#2fc79a", "#cc79a7", "#a9b7ff", "#e4e7eb", "#ff9d7a", "#9ad14b"),
 )
@@ -97,6 +98,7 @@ LIGHT = Theme(
         (SampleState.BAD, "#b03a00"),
         (SampleState.FILLED, "#0072b2"),
         (SampleState.NEVER, "#9a7d40"),
+        (SampleState.SMOOTHED, "#8f3b82"),
     ),
     curves=("#00805c", "#a3457a", "#4553c4", "#424a56", "#b4532a", "#5c7a00"),
 )

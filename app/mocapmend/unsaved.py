@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mocapmend import engine
-from mocapmend.changes import Changes, Repaired
+from mocapmend.changes import Changes, Repaired, renames, smoothed_record
 from mocapmend.engine import Apart, Exported
-from mocapmend.files import NO_CORRECTIONS, KeptGap, RepairRecord, Source
+from mocapmend.files import KeptGap, RepairRecord, SmoothedRun, Source
 from mocapmend.layers import Layers
 from mocapmend.written import Places
 from mocapmend_algorithms import Gap, Progress
 
 if TYPE_CHECKING:
-    from mocapmend.edits import Repair
+    from mocapmend.edits import Repair, Smoothed
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +34,10 @@ class Unsaved:
         What is there, NaN where missing.
     repairs : mapping of Gap to Repair
         Earlier ones included.
+    smoothed : mapping of Gap to Smoothed
+        The runs that are smoothed.
+    labels : tuple of str
+        What the markers are called.
     never, set_aside : mapping of Gap to str
         Gaps that shall never be filled, and that the user left open, with the reasons.
     """
@@ -44,13 +48,31 @@ class Unsaved:
     repairs: "Mapping[Gap, Repair]"
     never: Mapping[Gap, str]
     set_aside: Mapping[Gap, str]
+    smoothed: "Mapping[Gap, Smoothed]"
+    labels: tuple[str, ...]
 
     def changes(self) -> Changes:
         """Return what differs from the file."""
         fills = dict(zip(sorted(self.repairs), self.records(), strict=True))
-        smoothed = self.source.smoothed
-        made = Repaired(self.layers, self.places, self.values, fills, self._kept_open(), smoothed)
-        return made.changes()
+        kept, smoothed = self._kept_open(), self._smoothed()
+        return Repaired(
+            self.layers,
+            self.places,
+            self.values,
+            fills,
+            kept,
+            smoothed,
+            renames(self.source, self.labels),
+        ).changes()
+
+    def _smoothed(self) -> dict[Gap, SmoothedRun]:
+        earlier = self.source.smoothed
+        return {
+            run: earlier[run]
+            if run in earlier and made.params is earlier[run].parameters
+            else smoothed_record(self.source, run, *made)
+            for run, made in self.smoothed.items()
+        }
 
     @property
     def source(self) -> Source:
@@ -121,5 +143,5 @@ def write_recipe(unsaved: Unsaved, path: Path, progress: Progress) -> None:
         path,
         progress,
         kept_open=unsaved.kept_open(),
-        corrections=unsaved.layers.corrections(NO_CORRECTIONS),
+        corrections=unsaved.changes().corrections,
     )

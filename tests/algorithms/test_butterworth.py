@@ -170,7 +170,7 @@ def test_short_pieces_share_the_cutoff_of_long_ones():
     (left,) = smooth_with(
         ("butterworth", {}), record(points[:25], rate=120), [Gap(0, 0, 20)]
     ).untouched
-    assert "20 samples on end are too few: this needs at least 32" in left.reason
+    assert "Only 20 samples on end: this needs at least 32" in left.reason
 
 
 @pytest.mark.parametrize(

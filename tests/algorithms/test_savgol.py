@@ -56,7 +56,7 @@ def test_windows_longer_than_a_stretch_leave_it():
     recording, _ = noisy(100, 1)
     (left,) = smooth_with(("savgol", {"window_ms": "1200"}), recording, whole(recording)).untouched
     assert left.stretch == Gap(0, 0, 100)
-    assert left.reason == "100 samples on end are too few: this needs at least 121."
+    assert left.reason == "Only 100 samples on end: this needs at least 121."
 
 
 @pytest.mark.parametrize(

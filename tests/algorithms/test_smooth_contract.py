@@ -78,7 +78,7 @@ def test_every_sample_of_a_run_is_smoothed_or_has_a_reason(variant):
     assert [done.run for done in result.runs] == [Gap(0, 0, 400)]
     stretches = [left.stretch for left in result.untouched]
     assert stretches == [Gap(0, 0, 3), Gap(1, 0, 400)]
-    assert "3 samples on end are too few" in result.untouched[0].reason
+    assert "Only 3 samples on end" in result.untouched[0].reason
     assert result.untouched[1].reason == "There are no samples."
     moved = result.runs[0].shifts > 0
     assert moved[4:60].all()

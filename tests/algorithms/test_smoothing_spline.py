@@ -111,6 +111,30 @@ def test_the_noise_is_found(method, noise):
         np.testing.assert_allclose(done.chosen["noise"], noise, rtol=0.2)
 
 
+def test_a_given_cutoff_is_used():
+    recording, _ = noisy(300, 1)
+    variant = ("gcv", {"cutoff_hz": "6", "keep_impacts": "false"})
+    (done,) = smooth_with(variant, recording, whole(recording)).runs
+    points = recording.points[:, 0]
+    curve = by_axis(points - points[0], [penalty(6.0, 100.0, 3)] * 3, 3) + points[0]
+    np.testing.assert_allclose(done.values, curve, atol=1e-9)
+    assert done.chosen["cutoff_hz"] == [6.0, 6.0, 6.0]
+
+
+@pytest.mark.parametrize(
+    ("params", "message"),
+    [
+        ({"cutoff_hz": "6", "noise_mm": "1"}, "give cutoff_hz or noise_mm, not both"),
+        ({"cutoff_hz": "50"}, "cutoff_hz must be from 0.19 Hz to below half the frame rate, 50 Hz"),
+        ({"cutoff_hz": "0.1"}, "not 0.1"),
+    ],
+)
+def test_impossible_cutoffs_are_refused(params, message):
+    recording, _ = noisy(100, 1)
+    with pytest.raises(ValueError, match=message):
+        smooth_with(("gcv", params), recording, whole(recording))
+
+
 @pytest.mark.parametrize("method", ["gcv", "kalman-smoother"])
 def test_impossible_noise_is_refused(method):
     recording, _ = noisy(100, 1)

@@ -61,6 +61,11 @@ def export(source: Source, made: Repaired, out: Path) -> engine.Exported:
     return engine.export(source, made.changes(), out, False, False, no_progress)
 
 
+def bare_of(source: Source) -> Repaired:
+    """Return a recording in which two markers have changed places."""
+    return bare(Layers.of(source).corrected([SWAP], {}))
+
+
 def near(one: NDArray[np.float64], other: NDArray[np.float64]) -> bool:
     """Say whether coordinates are equal but for the steps of the integers."""
     return np.allclose(one, other, rtol=0.0, atol=0.063, equal_nan=True)

@@ -73,9 +73,7 @@ class Frames(NamedTuple):
         return placed
 
 
-def frames_around(
-    places: FloatArray, shapes: FloatArray, company: Companions, scale: float
-) -> Frames:
+def frames_around(places: FloatArray, shapes: FloatArray, company: Companions) -> Frames:
     """Fit each label's shape to the places of its companions (Kabsch 1976, weighted).
 
     Parameters
@@ -86,11 +84,9 @@ def frames_around(
         Of the model.
     company : Companions
         Which of them to look at.
-    scale : float
-        Size beside the model's.
     """
     there = places[:, company.markers]
-    form = scale * np.take_along_axis(shapes, company.markers[:, :, None], axis=1)
+    form = np.take_along_axis(shapes, company.markers[:, :, None], axis=1)
     seen = ~np.isnan(there[..., 0]) & ~np.isnan(form[..., 0])
     weights = np.where(seen, company.weights, 0.0)
     total = weights.sum(axis=2)

@@ -24,8 +24,8 @@ class LabelChanges:
     exchanges : tuple of Exchange
         In this order; see `mocapmend_algorithms.corrections`.
     left_over : tuple of Gap
-        Where, after the exchanges, a labelled point holds what is not its own, because there is no
-        other point free for it: to be set aside.
+        Where, after the exchanges, a labelled point holds what is not its own, because no other
+        point is free for it: to be set aside.
     """
 
     names: dict[int, str]
@@ -65,7 +65,9 @@ def changes(
     content = np.where(recording.present, -1, -2)
     for proposal in used:
         piece = proposal.piece
-        content[piece.start : piece.stop, piece.point] = proposal.label
+        # A recording may have fewer points than labels.
+        label = proposal.label if proposal.label in homes else -1
+        content[piece.start : piece.stop, piece.point] = label
     exchanges = _gather(content, homes)
     moved, left_over = _clear(content, homes)
     names = _names(labelling.labels, homes, recording.labels)

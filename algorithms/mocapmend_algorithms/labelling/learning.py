@@ -22,7 +22,6 @@ CENTRAL = (0.05, 0.5, 0.95)
 WIDTH_IN_SD = 3.29
 """The width of the central 90 % of a normal distribution, in standard deviations."""
 ROUNDS = 3
-FASTEST = 0.99
 
 
 def learn(
@@ -42,7 +41,6 @@ def learn(
     poses = _choose_poses(points)
     shapes, wander = mean_shapes(points, company, poses[0])
     progress(0.9)
-    speed = _speeds(recordings, labels)
     if segments:
         index = {label: k for k, label in enumerate(labels)}
         parts = [tuple(index[name] for name in part if name in index) for part in segments]
@@ -50,14 +48,14 @@ def learn(
         parts = [part.markers for part in find_segments(PairDistances(length, spread))]
     progress(1.0)
     chosen = tuple(part for part in parts if part)
-    return LabelModel(labels, length, spread, shapes, wander, poses, speed, chosen)
+    return LabelModel(labels, length, spread, shapes, wander, poses, chosen)
 
 
 def _gathered(recordings: Sequence[Recording]) -> tuple[tuple[str, ...], FloatArray]:
     """Return all labels, and the frames of all recordings in the size of the first one."""
     named = [named_points(recording.labels) for recording in recordings]
     labels = tuple(dict.fromkeys(label for points in named for label in points))
-    gathered = []
+    gathered: list[FloatArray] = []
     for recording, points in zip(recordings, named, strict=True):
         chosen = evenly(np.arange(recording.frames), MOST_FRAMES)
         there = upright(recording)[chosen]
@@ -157,7 +155,7 @@ def mean_shapes(
     shapes = np.repeat(first[None], count, axis=0)
     wander = np.full(count, np.nan)
     for _ in range(ROUNDS):
-        frames = frames_around(points, shapes, company, 1.0)
+        frames = frames_around(points, shapes, company)
         away = points[:, None] - frames.centre[:, :, None]
         local = np.einsum("flji,flmj->flmi", frames.rotation, away) + frames.origin[:, :, None]
         local[~frames.known] = np.nan
@@ -171,18 +169,3 @@ def mean_shapes(
             known = away_from_own[:, k][~np.isnan(away_from_own[:, k])]
             wander[k] = np.sqrt(np.mean(known**2) / 3.0) if known.size else np.nan
     return shapes, wander
-
-
-def _speeds(recordings: Sequence[Recording], labels: Sequence[str]) -> FloatArray:
-    """Return the 99th percentile of each marker's speed; NaN where it was never seen to move."""
-    speed = np.full(len(labels), np.nan)
-    for recording in recordings:
-        points = named_points(recording.labels)
-        for k, label in enumerate(labels):
-            if label in points and recording.frames > 1:
-                step = np.linalg.norm(np.diff(recording.points[:, points[label]], axis=0), axis=1)
-                step = np.sort(step[~np.isnan(step)])
-                if step.size:
-                    fast = step[round(FASTEST * (step.size - 1))] * recording.mm * recording.rate
-                    speed[k] = np.fmax(speed[k], fast)
-    return speed

@@ -34,8 +34,6 @@ class LabelModel:
         Standard deviation per axis of each marker's own place in that frame.
     poses : ndarray, shape (poses, labels, 3)
         Poses that differ; NaN where a marker was missing.
-    speed : ndarray, shape (labels,)
-        Speed that each marker exceeds in one frame of a hundred, in mm/s.
     segments : tuple of tuple of int
         Labels that move as one.
     """
@@ -46,10 +44,9 @@ class LabelModel:
     shapes: FloatArray
     wander: FloatArray
     poses: FloatArray
-    speed: FloatArray
     segments: tuple[tuple[int, ...], ...]
 
-    ARRAYS: ClassVar = ("length", "spread", "shapes", "wander", "poses", "speed")
+    ARRAYS: ClassVar = ("length", "spread", "shapes", "wander", "poses")
 
     def __post_init__(self) -> None:
         count = len(self.labels)
@@ -59,7 +56,6 @@ class LabelModel:
             "shapes": (count, count, 3),
             "wander": (count,),
             "poses": (len(self.poses), count, 3),
-            "speed": (count,),
         }
         for name, shape in shapes.items():
             if getattr(self, name).shape != shape:
@@ -145,7 +141,6 @@ class LabelModel:
             self.shapes[square],
             self.wander[kept],
             self.poses[:, kept],
-            self.speed[kept],
             tuple(part for part in parts if part),
         )
 

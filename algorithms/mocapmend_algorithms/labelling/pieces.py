@@ -1,5 +1,7 @@
 """Points cut into pieces, each of which can be one marker only."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
@@ -39,7 +41,7 @@ def cut_pieces(points: FloatArray, rate: float) -> list[Piece]:
         for start, stop in runs(~np.isnan(points[:, point, 0])):
             cuts = _jumps(points[start:stop, point], least)
             ends = [start, *(start + cuts).tolist(), stop]
-            pieces += [Piece(point, a, b) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+            pieces += [Piece(point, a, b) for a, b in pairwise(ends)]
     return pieces
 
 
@@ -54,7 +56,6 @@ def _jumps(path: FloatArray, least: float) -> IntArray:
     before = np.concatenate(([change[0]], change))
     after = np.concatenate((change, [change[-1]]))
     departure = np.minimum(before, after)
-    usual = np.full(len(departure), np.inf)
     padded = np.pad(departure, AROUND, mode="reflect" if len(departure) > AROUND else "edge")
     windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * AROUND + 1)
     usual = np.median(windows, axis=1)

@@ -1,127 +1,97 @@
-"""A label for each piece of a recording.
+"""A label for each piece of a recording."""
 
-As Holzreiter 2005 (Clinical Biomechanics 20:1-8) and Clouthier, Ross, Mavor, Coll, Boyle, Graham
-2021 (IEEE Access 9:36664-36675), single frames are labelled and the verdict is the whole
-trajectory's; after Ghorbani, Etemad, Troje 2019 (Computer Graphics International, LNCS 11542:167)
-the labels of a frame exclude each other and time corrects what a frame alone gets wrong. In place
-of a trained network there is one labelled recording: its poses give the first labels, and its
-distances, which are those of rigid segments above all, the final ones.
-"""
-
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.labelling.adapting import adapted
-from mocapmend_algorithms.labelling.assignment import assign_pieces
-from mocapmend_algorithms.labelling.costs import NOWHERE, Expectation, Tolerance, costs
+from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.labelling.confidence import judged
 from mocapmend_algorithms.labelling.model import LabelModel
+from mocapmend_algorithms.labelling.names import named_points
 from mocapmend_algorithms.labelling.pieces import cut_pieces
-from mocapmend_algorithms.labelling.result import Labelled, Labelling, Piece
-from mocapmend_algorithms.labelling.sampling import Sampled, sample
-from mocapmend_algorithms.labelling.start import FIRST_TOLERANCE, label_frame, size_of
+from mocapmend_algorithms.labelling.result import Labelled, Labelling
+from mocapmend_algorithms.labelling.search import Search
 from mocapmend_algorithms.labelling.upright import upright
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 
-KEY_FRAMES = 12
-DOUBT = 4.0
-"""How fast a key frame loses weight with its cost."""
-FIRST_ROUNDS = 6
-LAST_ROUNDS = 8
-LAST_TOLERANCE = Tolerance(share=0.03, mm=8.0, loose=1.3)
-CHUNK = 64
-"""Frames whose costs are worked out at once."""
+HAS_NAME = "It has this name already."
+OTHER_NAME = "It has a name that the labelled recordings do not have, and is left alone."
 
 
-@dataclass
-class State:
-    """What is believed so far.
+@dataclass(frozen=True)
+class LabelParams:
+    """What a recording's own names are worth."""
 
-    Attributes
+    keep_names: bool = option(
+        default=True,
+        label="Keep names",
+        text="Trust the names that the recording has, and label the rest.",
+    )
+    doubted: tuple[str, ...] = option(
+        (),
+        label="Doubted names",
+        text="Points with these names are labelled anew though names are kept.",
+    )
+
+
+def label(
+    recording: Recording, model: LabelModel, params: LabelParams, progress: Progress
+) -> Labelling:
+    """Propose a label for each piece of a recording's points.
+
+    Parameters
     ----------
-    labels : ndarray of int, shape (pieces,)
-        -1 for none.
-    table : ndarray, shape (pieces, labels)
-        Mean cost of each label for each piece.
-    scale : float
-        Size of the body beside the model's.
+    recording : Recording
+        Points without labels, or of which some have labels. Trajectories may be in many pieces,
+        several of which are one point; markers may be missing; there may be points that are no
+        marker. Start pose, heading, place and size of the body do not matter.
+    model : LabelModel
+        Of the same marker set.
+    params : LabelParams
+        What its own names are worth.
+    progress : Progress
+        Called often; may cancel.
+
+    Returns
+    -------
+    Labelling
+        Empty for a recording without points.
     """
-
-    labels: IntArray
-    table: FloatArray
-    scale: float
-
-
-def propose(
-    recording: Recording,
-    model: LabelModel,
-    fixed_points: dict[int, int],
-    left_alone: set[int],
-    progress: Progress,
-) -> tuple[list[Piece], Sampled, State]:
+    kept, others = _trusted(recording, model, params)
     points = upright(recording)
-    pieces = [p for p in cut_pieces(points, recording.rate) if p.point not in left_alone]
-    fixed = np.array([fixed_points.get(p.point, -1) for p in pieces], np.int64)
-    seen = sample(points, pieces)
-    state = _begin(model, seen, pieces, fixed, part(progress, 0.0, 0.4))
-    state.labels = assign_pieces(state.table, seen, pieces, fixed, len(points))
-    for number in range(FIRST_ROUNDS + LAST_ROUNDS):
-        now = part(
-            progress,
-            0.4 + 0.6 * number / (FIRST_ROUNDS + LAST_ROUNDS),
-            0.4 + 0.6 * (number + 1) / (FIRST_ROUNDS + LAST_ROUNDS),
-        )
-        state.scale = size_of(model, seen.points, seen.labels(state.labels), state.scale)
-        first = number < FIRST_ROUNDS
-        if first:
-            expected = Expectation.of(model, state.scale, FIRST_TOLERANCE)
-        else:
-            own = adapted(model, seen.points, seen.labels(state.labels), state.scale)
-            expected = Expectation.of(own, 1.0, LAST_TOLERANCE)
-        state.table = piece_costs(expected, seen, state.labels, len(pieces), now)
-        new = assign_pieces(state.table, seen, pieces, fixed, len(points))
-        same = np.array_equal(new, state.labels)
-        state.labels = new
-        if same and number >= FIRST_ROUNDS:
-            break
+    cut = cut_pieces(points, recording.rate)
+    pieces = [piece for piece in cut if piece.point not in others]
+    fixed = np.array([kept.get(piece.point, -1) for piece in pieces], np.int64)
+    left = [
+        Labelled(piece, None, 1.0, OTHER_NAME, kept=True) for piece in cut if piece.point in others
+    ]
+    if not pieces:
+        progress(1.0)
+        return Labelling(model.labels, tuple(left), float("nan"))
+    search = Search(model, points, pieces, fixed)
+    search.run(part(progress, 0.0, 0.98))
+    proposals = [
+        replace(proposal, confidence=1.0, reason=HAS_NAME, kept=True) if known >= 0 else proposal
+        for proposal, known in zip(judged(search), fixed.tolist(), strict=True)
+    ]
     progress(1.0)
-    return pieces, seen, state
+    scale = search.scale if (search.labels >= 0).any() else float("nan")
+    return Labelling(model.labels, tuple(sorted([*left, *proposals], key=_place)), scale)
 
 
-def piece_costs(
-    expected: Expectation, seen: Sampled, labels: IntArray, count: int, progress: Progress
-) -> FloatArray:
-    """Average the costs of each label over the frames of each piece, shape (pieces, labels)."""
-    of_slots = seen.labels(labels)
-    found = np.full((*seen.pieces.shape, len(expected.wander)), np.nan)
-    for start in range(0, len(seen.frames), CHUNK):
-        progress(start / len(seen.frames))
-        some = slice(start, start + CHUNK)
-        found[some] = costs(expected, seen.points[some], of_slots[some])
-    return seen.mean(found, count)
+def _place(proposal: Labelled) -> tuple[int, int]:
+    return proposal.piece.point, proposal.piece.start
 
 
-def _begin(
-    model: LabelModel, seen: Sampled, pieces: Sequence[Piece], fixed: IntArray, progress: Progress
-) -> State:
-    """Label key frames, and let them vote."""
-    votes = np.zeros((len(pieces), len(model.labels)))
-    starts = []
-    count = (seen.pieces >= 0).sum(axis=1)
-    spans = [span for span in np.array_split(np.arange(len(seen.frames)), KEY_FRAMES) if span.size]
-    for number, span in enumerate(spans):
-        progress(number / len(spans))
-        row = int(span[np.argmax(count[span])])
-        there = seen.pieces[row] >= 0
-        found = label_frame(model, seen.points[row, there])
-        if found:
-            starts.append((found[0], seen.pieces[row, there]))
-    best = min((start.cost for start, _ in starts), default=0.0)
-    for start, there in starts:
-        good = start.labels >= 0
-        votes[there[good], start.labels[good]] += np.exp(-DOUBT * (start.cost - best))
-    scale = float(np.median([start.scale for start, _ in starts])) if starts else np.nan
-    return State(np.where(fixed >= 0, fixed, -1), NOWHERE - votes, scale)
+def _trusted(
+    recording: Recording, model: LabelModel, params: LabelParams
+) -> tuple[dict[int, int], set[int]]:
+    """Return the label of each point whose name is kept, and the points with other names."""
+    if not params.keep_names:
+        return {}, set()
+    named = named_points(recording.labels)
+    index = {name: k for k, name in enumerate(model.labels)}
+    believed = {name: point for name, point in named.items() if name not in params.doubted}
+    kept = {point: index[name] for name, point in believed.items() if name in index}
+    return kept, {point for name, point in believed.items() if name not in index}

@@ -5,7 +5,13 @@ from typing import NamedTuple
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.labelling.costs import NOWHERE, Expectation, Tolerance, costs
+from mocapmend_algorithms.labelling.costs import (
+    NOWHERE,
+    Expectation,
+    Tolerance,
+    costs,
+    label_places,
+)
 from mocapmend_algorithms.labelling.model import LabelModel
 
 HEADINGS = 16
@@ -13,6 +19,8 @@ ROUNDS = 3
 LIKELY = 64
 BEST = 6
 REFINED = 10
+LEAST_POINTS = 4
+CERTAIN = 1e3
 CLIP_MM = 300.0
 FIRST_TOLERANCE = Tolerance(share=0.08, mm=12.0, loose=1.5)
 SIZES = (0.6, 1.7)
@@ -36,12 +44,12 @@ class Start(NamedTuple):
     scale: float
 
 
-def label_frame(model: LabelModel, points: FloatArray) -> list[Start]:
+def label_frame(model: LabelModel, points: FloatArray, given: IntArray) -> Start | None:
     """Label the points of one frame.
 
-    Each pose of the model is turned to several headings, and fitted by turns: the points nearest
-    to its markers (Hungarian method: Kuhn 1955), and the heading, place and size that bring it
-    nearest to them. The best fits are refined by distances.
+    Each pose of the model is turned to several headings; those that come near are fitted by turns:
+    the points nearest to their markers (Hungarian method: Kuhn 1955), and the heading, place and
+    size that bring them nearest to these. The best fits are refined by distances.
 
     Parameters
     ----------
@@ -49,27 +57,38 @@ def label_frame(model: LabelModel, points: FloatArray) -> list[Start]:
         What to look for.
     points : ndarray, shape (points, 3)
         All seen; in mm, z up.
+    given : ndarray of int, shape (points,)
+        Labels that are known; -1 for the others.
 
     Returns
     -------
-    list of Start
-        Those that differ, the best first.
+    Start or None
+        The best; None where there are too few points to tell.
     """
-    fits = [_fit(form, points) for form in _likely(model.poses, points)]
-    fits.sort(key=lambda fit: fit[0])
-    found: dict[bytes, Start] = {}
+    if len(points) < LEAST_POINTS:
+        return None
+    fits = sorted((_fit(form, points) for form in _likely(model.poses, points)), key=_badness)
+    best: Start | None = None
     tried: set[bytes] = set()
     for _, labels, scale in fits:
-        if labels.tobytes() in tried:
-            continue
-        tried.add(labels.tobytes())
-        start = _refine(model, points, labels, scale)
-        key = start.labels.tobytes()
-        if key not in found or found[key].cost > start.cost:
-            found[key] = start
+        if labels.tobytes() not in tried:
+            tried.add(labels.tobytes())
+            start = _refine(model, points, _with_given(labels, given), given, scale)
+            if best is None or start.cost < best.cost:
+                best = start
         if len(tried) >= BEST:
             break
-    return sorted(found.values(), key=lambda start: start.cost)
+    return best
+
+
+def _badness(fit: tuple[float, IntArray, float]) -> float:
+    return fit[0]
+
+
+def _with_given(labels: IntArray, given: IntArray) -> IntArray:
+    """Return labels in which the given ones are where they belong, and nowhere else."""
+    free = np.where(np.isin(labels, given[given >= 0]), -1, labels)
+    return np.where(given >= 0, given, free)
 
 
 def _likely(poses: FloatArray, points: FloatArray) -> list[tuple[IntArray, FloatArray]]:
@@ -118,9 +137,7 @@ def _laid(form: FloatArray, rows: IntArray, goal: FloatArray) -> tuple[FloatArra
     """Turn, shift and scale a form so that some of its markers come near to their goals."""
     own, other = form[rows].mean(axis=0), goal.mean(axis=0)
     a, b = form[rows] - own, goal - other
-    heading = np.arctan2(
-        (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum()
-    )
+    heading = np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
     turned = _turned(a, heading)
     scale = float(np.clip((turned * b).sum() / (a**2).sum(), *SIZES))
     return scale * _turned(form - own, heading) + other, scale
@@ -129,29 +146,34 @@ def _laid(form: FloatArray, rows: IntArray, goal: FloatArray) -> tuple[FloatArra
 def _turned(form: FloatArray, heading: float) -> FloatArray:
     cosine, sine = np.cos(heading), np.sin(heading)
     turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
-    return form @ turn.T
+    turned: FloatArray = form @ turn.T
+    return turned
 
 
-def _refine(model: LabelModel, points: FloatArray, labels: IntArray, scale: float) -> Start:
+def _refine(
+    model: LabelModel, points: FloatArray, labels: IntArray, given: IntArray, scale: float
+) -> Start:
     cost = np.inf
     for _ in range(REFINED):
         scale = size_of(model, points[None], labels[None], scale)
         expected = Expectation.of(model, scale, FIRST_TOLERANCE)
         table = costs(expected, points[None], labels[None])[0]
-        new, cost = assign(table)
+        new, cost = assign(table, given)
         if np.array_equal(new, labels):
             break
         labels = new
     return Start(labels, cost, scale)
 
 
-def assign(table: FloatArray) -> tuple[IntArray, float]:
+def assign(table: FloatArray, given: IntArray) -> tuple[IntArray, float]:
     """Give points labels so that the sum of the costs is least.
 
     Parameters
     ----------
     table : ndarray, shape (points, labels)
-        A label costs `NOWHERE` where it is not given.
+        A label costs `NOWHERE` where no point gets it.
+    given : ndarray of int, shape (points,)
+        Labels that are known; -1 for the others.
 
     Returns
     -------
@@ -162,9 +184,13 @@ def assign(table: FloatArray) -> tuple[IntArray, float]:
     """
     from scipy.optimize import linear_sum_assignment
 
-    rows, columns = linear_sum_assignment(np.minimum(table, NOWHERE))
-    chosen = table[rows, columns]
-    good = chosen < NOWHERE
+    bounded = np.minimum(table, NOWHERE)
+    known = np.flatnonzero(given >= 0)
+    bounded[known] = NOWHERE
+    bounded[known, given[known]] = -CERTAIN
+    rows, columns = linear_sum_assignment(bounded)
+    good = bounded[rows, columns] < NOWHERE
+    chosen = np.minimum(table, NOWHERE)[rows, columns]
     labels = np.full(len(table), -1, np.int64)
     labels[rows[good]] = columns[good]
     total = chosen[good].sum() + NOWHERE * (table.shape[1] - good.sum())
@@ -173,8 +199,6 @@ def assign(table: FloatArray) -> tuple[IntArray, float]:
 
 def size_of(model: LabelModel, points: FloatArray, labels: IntArray, otherwise: float) -> float:
     """Return the size beside the model's, by the distances that hardly change in it."""
-    from mocapmend_algorithms.labelling.costs import label_places
-
     places = label_places(points, labels, len(model.labels))
     steady = np.argwhere(np.triu(model.spread < 0.06 * model.length, 1))
     apart = np.linalg.norm(places[:, steady[:, 0]] - places[:, steady[:, 1]], axis=2)

@@ -1,7 +1,5 @@
 """Recordings in millimetres with z up, whatever they are written in."""
 
-import numpy as np
-
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.recording import Recording, UpAxis
 

@@ -9,6 +9,7 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import (
     RigidMates,
     broken_share,
@@ -18,17 +19,20 @@ from mocapmend_algorithms.problems.rigid_mates import (
 from mocapmend_algorithms.problems.steps import excursions
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import Skeleton, measure_distances
+from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 MOST_BROKEN = 0.6
 """Of the distances of a marker: where more are broken, it is this marker that is wrong."""
 LARGEST_SHARE = 0.2
 """Of the recording: what is so for longer is no exception."""
-LONGEST_S = 1.0
-"""Of a piece between two steps."""
-SEEN_FROM_MATE, SOME_BROKEN = 0.15, 0.5
+SHORTEST, LONGEST_S = 3, 1.0
+"""Frames, and seconds, of a piece between two steps; shorter ones are spikes."""
+CLEARLY = 2.0
+"""Times the smallest break: the steps at the ends of such a piece."""
+SEEN_FROM_MATE, SOME_BROKEN = 0.1, 0.3
 """Of such a step, what a mate's distance changes by; and the share of the mates that it does."""
+LARGE_MM = 60.0
 ABRUPT = 0.5
 """Of the break, the part that comes within two frames: a joint that bends takes longer."""
 
@@ -75,7 +79,7 @@ def bone_breaks(
     """
     if not 3 <= recording.markers <= MOST_MARKERS or recording.frames < 3:
         return []
-    distances = measure_distances(recording, part(progress, 0.0, 0.2))
+    distances = distances_of(recording, part(progress, 0.0, 0.2))
     mates = [
         rigid_mates(recording, distances, skeleton, marker) for marker in range(recording.markers)
     ]
@@ -125,7 +129,9 @@ def _excursions(
     points = recording.points[:, marker] * recording.mm
     longest = round(LONGEST_S * recording.rate)
     found = []
-    for piece in excursions(points, recording.rate, params.least_mm, longest):
+    for piece in excursions(points, recording.rate, CLEARLY * params.least_mm, longest):
+        if piece.stop - piece.start < SHORTEST:
+            continue
         frames = np.array([piece.start - 1, piece.start, piece.stop - 1, piece.stop])
         around = recording.points[frames][:, mates.markers] * recording.mm
         apart = around - points[frames, None]
@@ -152,12 +158,19 @@ def _runs_of(recording: Recording, marker: int, wrong: BoolArray, size: FloatArr
 
 
 def _abrupt(present: BoolArray, size: FloatArray, start: int, stop: int) -> bool:
-    """Whether the break comes or goes within two frames."""
-    least = ABRUPT * float(np.median(size[start:stop]))
-    before, after = max(0, start - 2), min(len(size) - 1, stop + 1)
-    came = start > 0 and bool(present[before]) and size[start] - size[before] >= least
-    went = stop < len(size) and bool(present[after]) and size[stop - 1] - size[after] >= least
-    return bool(came or went)
+    """Whether the break comes and goes within two frames, as far as the marker is seen there.
+
+    Of a large one, either is enough: it may have drifted there.
+    """
+    usual = float(np.median(size[start:stop]))
+    least = ABRUPT * usual
+    before, after = start - 2, stop + 1
+    seen_before = before >= 0 and bool(present[before])
+    seen_after = after < len(size) and bool(present[after])
+    comes = not seen_before or size[start] - size[before] >= least
+    goes = not seen_after or size[stop - 1] - size[after] >= least
+    came, went = bool(comes and seen_before), bool(goes and seen_after)
+    return bool(comes and goes and (came or went)) or ((came or went) and usual >= LARGE_MM)
 
 
 def _described(

@@ -15,10 +15,11 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import RigidMates, rigid_mates
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import Skeleton, measure_distances
+from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 UNLABELLED = re.compile(
@@ -89,7 +90,7 @@ def fragments(
     progress(0.0)
     if not 0 < len(pieces) <= MOST_UNNAMED * recording.markers <= MOST_UNNAMED * MOST_MARKERS:
         return []
-    distances = measure_distances(recording, part(progress, 0.0, 0.3))
+    distances = distances_of(recording, part(progress, 0.0, 0.3))
     mates = {marker: rigid_mates(recording, distances, skeleton, marker) for marker in named}
     mates = {marker: _named_only(each, pieces) for marker, each in mates.items()}
     found = []
@@ -180,8 +181,7 @@ def _described(
     frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
     if not fits:
         sure = min(ranked[0].off / MOST_OFF, 2.0) / 2.0 if ranked else 1.0
-        nearest = f"{recording.labels[ranked[0].marker]} fits best" if ranked else "none is missing"
-        reason = f"The point is seen for {frames} and fits into no marker's gap ({nearest})."
+        reason = f"It is seen for {frames} and {_why_not(recording, ranked)}."
         return BadRun("fragments", piece, start, stop, 0.5 * sure, float("nan"), reason)
     label = recording.labels[ranked[0].marker]
     rest = f"the next marker by {ranked[1].off:.1f}" if len(ranked) > 1 else "no other is missing"
@@ -196,3 +196,13 @@ def _described(
         f"times what is usual, {rest}.",
         other=ranked[0].marker,
     )
+
+
+def _why_not(recording: Recording, ranked: Sequence[_Candidate]) -> str:
+    if not ranked:
+        return "no marker is missing there that it could be"
+    first = recording.labels[ranked[0].marker]
+    if ranked[0].off > MOST_OFF:
+        return f"fits no marker: {first} comes nearest, off by {ranked[0].off:.1f} times the usual"
+    second = recording.labels[ranked[1].marker]
+    return f"may be {first} or {second}: it fits both about as well"

@@ -22,7 +22,7 @@ MANY_RUNS = 0.02
 """Per frame: where a marker has more, only runs much longer than its others count."""
 LEAST_RUNS = 6
 MUCH_LONGER = 5.0
-JUMP_MM, TIMES_BEFORE = 30.0, 8.0
+JUMP_MM, TIMES_BEFORE = 30.0, 5.0
 """A jump to where it stands still: at least so far, and so many times the steps before."""
 TIMES_STEP = 1.8
 """How much longer than the steps after it the jump at the end of a freeze is."""

@@ -3,9 +3,10 @@
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import PairDistances, measure_distances
+from mocapmend_algorithms.skeleton import PairDistances
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 MOST_MATES = 4
@@ -46,7 +47,7 @@ def mates_of(recording: Recording, progress: Progress) -> list[list[int]]:
     """
     if recording.markers > MOST_MARKERS:
         return nearest_mates(None, recording.markers)
-    return nearest_mates(measure_distances(recording, progress), recording.markers)
+    return nearest_mates(distances_of(recording, progress), recording.markers)
 
 
 def common_offset(offsets: list[FloatArray]) -> FloatArray | None:

@@ -8,10 +8,11 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import rigid_mates
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import PairDistances, Skeleton, measure_distances
+from mocapmend_algorithms.skeleton import PairDistances, Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 CHUNK = 2048
@@ -66,7 +67,7 @@ def reflections(
     together = _coincidences(recording, params.within_mm, part(progress, 0.0, 0.7))
     if not together:
         return []
-    distances = measure_distances(recording, part(progress, 0.7, 1.0))
+    distances = distances_of(recording, part(progress, 0.7, 1.0))
     found = []
     for pair, frames in sorted(together.items()):
         usual = distances.length[pair]

@@ -14,6 +14,7 @@ from mocapmend_algorithms.problems import (
     swaps,
     tails,
 )
+from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.contract import DetectFunction
 
 Remedy = Literal["missing", "exchange"]
@@ -138,6 +139,11 @@ def detector(detector_id: str) -> Detector:
         known = ", ".join(DETECTORS)
         raise KeyError(f"there is no detector {detector_id!r}; the detectors are: {known}")
     return DETECTORS[detector_id]
+
+
+def remedy(run: BadRun) -> Remedy:
+    """Return what a bad run calls for; samples that belong to no other marker are set aside."""
+    return "missing" if run.other is None else detector(run.kind).remedy
 
 
 def chosen(ids: Iterable[str] | None) -> list[Detector]:

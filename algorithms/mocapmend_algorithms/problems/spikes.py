@@ -27,14 +27,19 @@ FLOOR_MM = 0.3
 """What no system measures better: in simulated motion the noise is 0."""
 SHARP = 0.4
 """Of the deviation, the step at either end: what goes out and comes back by degrees is motion."""
+SHARP_LONG = 0.6
+"""The same of spikes of more than five frames, in which much can happen."""
 LEAST_SHARE = 0.15
 """Of the deviation, that of the best sample of a spike."""
-SMALL_MM = 12.0
+SMALL_MM, LARGE_MM = 12.0, 50.0
+"""What is smaller than the one must be surer; motion is no excuse for more than the other."""
 PER_FRAME = 0.12
 NEXT_BREAKS = 6
 LEAST_LONGEST = 5
-UNUSUAL = 3.0
+UNUSUAL, VERY_UNUSUAL = 3.0, 10.0
 """Times what blocks of the same length around it are away from where their sides lead."""
+CERTAIN, CERTAIN_MM = 40.0, 50.0
+"""Times the noise, and deviation, of what need not begin and end in steps: it is very unusual."""
 PASSES = 3
 UNMISTAKABLE = 30.0
 """Times the noise: so far, neighbours that jump as well are no excuse."""
@@ -52,7 +57,7 @@ class SpikesParams:
         unit="mm",
     )
     longest_ms: float = option(
-        60.0,
+        100.0,
         label="Longest spike",
         text="What is away for longer may be anything; but up to 5 frames are always looked at.",
         minimum=0.0,
@@ -143,8 +148,10 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
         with np.errstate(invalid="ignore"):
             good = (fits.away >= params.least_mm) & (ratio >= _needed(fits.away, length, params))
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
-            good &= _sharp(step, first, length, fits)
-        good[good] = fits.away[good] >= UNUSUAL * usual_away(points, first[good], length)
+            certain = (ratio >= CERTAIN) & (fits.away >= CERTAIN_MM)
+            good &= certain | _sharp(step, first, length, fits)
+        times = np.where(certain, VERY_UNUSUAL, UNUSUAL)[good]
+        good[good] = fits.away[good] >= times * usual_away(points, first[good], length)
         candidates += [
             _Found(int(first[at]), length, float(fits.away[at]), float(ratio[at]))
             for at in np.flatnonzero(good)
@@ -154,8 +161,9 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
 
 def _needed(away: FloatArray, length: int, params: SpikesParams) -> FloatArray:
     """Ask for more certainty where less is at stake, and where motion has more time."""
-    small = np.maximum(1.0, SMALL_MM / np.maximum(away, 1e-9))
-    needed: FloatArray = params.times_noise * (1.0 + PER_FRAME * (length - 1)) * small
+    away = np.maximum(away, 1e-9)
+    longer = 1.0 + PER_FRAME * (length - 1) * np.minimum(1.0, LARGE_MM / away)
+    needed: FloatArray = params.times_noise * longer * np.maximum(1.0, SMALL_MM / away)
     return needed
 
 
@@ -166,16 +174,17 @@ def _sharp(step: FloatArray, first: IntArray, length: int, fits: Fits) -> BoolAr
     # Beside a gap it cannot be told.
     into = np.where(np.isnan(into), fits.first, into)
     back = np.where(np.isnan(back), fits.last, back)
-    sharp: BoolArray = np.greater_equal(np.maximum(into, back), SHARP * fits.away)
-    sharp &= np.minimum(into - SHARP * fits.first, back - SHARP * fits.last) >= 0.0
-    return sharp
+    enough: BoolArray = np.maximum(into, back) >= SHARP * fits.away
+    if length > LEAST_LONGEST:
+        enough = np.minimum(into, back) >= SHARP_LONG * fits.away
+    return enough & (into >= SHARP * fits.first) & (back >= SHARP * fits.last)
 
 
 def _beside_gaps(points: FloatArray) -> BoolArray:
     """Mark the frames where a seen stretch begins or has just ended, and those next to them."""
     seen = np.concatenate(([False], ~np.isnan(points[:, 0]), [False]))
-    beside = np.diff(seen.astype(np.int8)) != 0
-    near = beside.copy()
+    beside = seen[1:] != seen[:-1]
+    near: BoolArray = beside.copy()
     near[1:] |= beside[:-1]
     near[:-1] |= beside[1:]
     return near

@@ -9,9 +9,11 @@ from mocapmend_algorithms.problems.levels import running_level
 
 BREAK = 4.0
 """Times the level around it that a step has where a trajectory breaks."""
-CLEAR_BREAK = 6.0
+CLEAR_BREAK = 8.0
+ECHO = 0.7
+"""Of a step: the third difference has half of it at the frames on both sides."""
 NEXT = 4
-OPPOSITE = 0.5
+OPPOSITE = 0.35
 """Of the larger of two steps: what is left where one takes the other back."""
 
 
@@ -73,15 +75,17 @@ def excursions(points: FloatArray, rate: float, least: float, longest: int) -> l
     size = np.sqrt(np.einsum("tk,tk->t", step, step))
     with np.errstate(invalid="ignore"):
         broken = size > np.maximum(least, CLEAR_BREAK * running_level(size, rate))
+        broken[1:] &= size[1:] >= ECHO * size[:-1]
+        broken[:-1] &= size[:-1] >= ECHO * size[1:]
     edges = np.flatnonzero(broken).tolist()
     found: list[Excursion] = []
     for at, start in enumerate(edges):
-        if found and start < found[-1].stop:
+        if found and start <= found[-1].stop:
             continue
         for stop in edges[at + 1 : at + 1 + NEXT]:
             larger = float(max(size[start], size[stop]))
             left = float(np.linalg.norm(step[start] + step[stop]))
-            if 1 < stop - start <= longest and left <= OPPOSITE * larger:
+            if stop - start <= longest and left <= OPPOSITE * larger:
                 found.append(Excursion(start, stop, larger))
                 break
     return found

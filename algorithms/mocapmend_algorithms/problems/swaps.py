@@ -16,10 +16,11 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running
 from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.crossings import Crossing, find_crossings, find_jumps
+from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.likeness import Likeness
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import PairDistances, Skeleton, measure_distances
+from mocapmend_algorithms.skeleton import PairDistances, Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 FRAMES_PER_PIECE = 8
@@ -84,7 +85,7 @@ def swaps(
         return []
     errors, jumps = find_jumps(recording, part(progress, 0.0, 0.3))
     crossings = find_crossings(recording, errors, jumps, part(progress, 0.3, 0.6))
-    distances = measure_distances(recording, part(progress, 0.6, 0.7))
+    distances = distances_of(recording, part(progress, 0.6, 0.7))
     likeness = Likeness(recording, distances)
     pairs: dict[tuple[int, int], list[Crossing]] = {
         pair: [] for pair in _neighbours_with_gaps(recording, likeness)

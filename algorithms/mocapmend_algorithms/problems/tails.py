@@ -24,10 +24,10 @@ LONGEST_S = 0.04
 LEAST_LONGEST, MOST_LONGEST = 5, 20
 MORE = 3
 """Samples more than the longest tail that the parabola goes through."""
-COMPARED = 10
-"""Places further from the gap that tell how wrong a parabola is there."""
+COMPARED, MORE_COMPARED = 10, 30
+"""Places further from the gap that tell how wrong a parabola is there, and more if there are."""
 FLOOR_MM = 0.5
-LEAST_SHARE, INNER = 0.1, 2.0
+LEAST_SHARE, INNER = 0.1, 1.5
 """What the inner samples are off: a share of the outermost one, and times the usual."""
 REPORTED = 32
 """Ends between two reports of progress."""
@@ -45,7 +45,7 @@ class TailsParams:
         unit="mm",
     )
     times_usual: float = option(
-        4.0,
+        3.0,
         label="Times the usual",
         text="By how much more an end bends than the samples further from the gap.",
         minimum=1.5,
@@ -58,6 +58,8 @@ class _End(NamedTuple):
     marker: int
     edge: int
     direction: int
+    samples: int
+    """That are looked at."""
 
 
 def tails(
@@ -92,14 +94,15 @@ def tails(
     for at, end in enumerate(ends):
         if at % REPORTED == 0:
             progress(0.3 + 0.7 * at / len(ends))
-        away = _bent(_seen_from_mates(recording, mates[end.marker], end, longest), longest, params)
+        views = _views(recording, mates[end.marker], end)
+        away = _bent(_quietest(views, longest), longest, params)
         if away.size:
             found.append(_described(recording, end, away))
     return found
 
 
 def _window(longest: int) -> int:
-    """Return how many samples from the end are looked at."""
+    """Return how many samples from the end are looked at, at least."""
     return 3 * longest + MORE + COMPARED
 
 
@@ -110,22 +113,32 @@ def _ends(recording: Recording, least: int) -> list[_End]:
         for marker in np.flatnonzero(~recording.present.all(axis=0)).tolist()
         for start, stop in runs(recording.present[:, marker])
         if stop - start >= least
-        for end in (_End(marker, start, 1), _End(marker, stop - 1, -1))
+        for samples in (min(stop - start, least + MORE_COMPARED),)
+        for end in (_End(marker, start, 1, samples), _End(marker, stop - 1, -1, samples))
         if 0 < end.edge < recording.frames - 1
     ]
 
 
-def _seen_from_mates(recording: Recording, mates: list[int], end: _End, longest: int) -> FloatArray:
+def _views(recording: Recording, mates: list[int], end: _End) -> list[FloatArray]:
     """Return the samples at an end in mm, the outermost last, shape (samples, 3).
 
-    Seen from the neighbours, where two or more are there all the time: the body moves with them.
+    Also as they are seen from the neighbours, where two or more are there all the time.
     """
-    inward = np.arange(_window(longest) - 1, -1, -1)
+    inward = np.arange(end.samples - 1, -1, -1)
     frames: IntArray = end.edge + end.direction * inward
     points: FloatArray = recording.points[frames, end.marker] * recording.mm
     around = recording.points[frames][:, mates] * recording.mm
     around = around[:, ~np.isnan(around).any(axis=(0, 2))]
-    return points - around.mean(axis=1) if around.shape[1] >= 2 else points
+    return [points, points - np.median(around, axis=1)] if around.shape[1] >= 2 else [points]
+
+
+def _quietest(views: list[FloatArray], longest: int) -> FloatArray:
+    """Return the view in which it can be told the best where the samples lead."""
+
+    def unrest(points: FloatArray) -> float:
+        return float(np.median(_carried_on(points, longest + MORE, longest)[:-longest, -1]))
+
+    return min(views, key=unrest)
 
 
 def _bent(points: FloatArray, longest: int, params: TailsParams) -> FloatArray:
@@ -137,7 +150,7 @@ def _bent(points: FloatArray, longest: int, params: TailsParams) -> FloatArray:
     best, bent = params.times_usual, np.zeros(0)
     for length in range(1, longest + 1):
         away = _carried_on(points, longest + MORE, length)
-        usual = np.sort(away[:-longest], axis=0)[3 * (len(away) - longest) // 4] + FLOOR_MM
+        usual = away[:-longest].max(axis=0) + FLOOR_MM
         ratio = float(away[-1, -1] / usual[-1])
         if ratio <= best or away[-1, -1] < params.least_mm:
             continue

@@ -56,9 +56,9 @@ _ALL = (
         label="Woltring, quintic spline",
         function=gcv.gcv,
         params=gcv.GcvParams,
-        help="A quintic spline that smooths by as much as generalised cross-validation says. Good "
-        "where speeds and accelerations are wanted; jitter that lasts for several frames is taken "
-        "for motion.",
+        help="A quintic spline that smooths by as much as generalised cross-validation says, and "
+        "less at impacts. Good where speeds and accelerations are wanted; jitter that lasts for "
+        "several frames is taken for motion.",
     ),
     Smoother(
         id="kalman-smoother",
@@ -71,7 +71,7 @@ _ALL = (
 )
 
 SMOOTHERS: dict[str, Smoother] = {smoother.id: smoother for smoother in _ALL}
-SUGGESTED = "butterworth"
+SUGGESTED = "gcv"
 """Where the user has named none."""
 
 

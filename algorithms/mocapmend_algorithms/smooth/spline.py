@@ -37,6 +37,11 @@ SLOWEST = 0.012
 SLOWEST_HZ = 0.25
 
 
+def lowest_cutoff(rate: float) -> float:
+    """Return the lowest cut-off in Hz at which the equations keep their digits."""
+    return SLOWEST * rate / (2 * np.pi)
+
+
 def cutoff_grid(rate: float) -> tuple[float, ...]:
     """Return cut-offs to choose from in Hz, descending evenly by their logarithm.
 
@@ -46,7 +51,7 @@ def cutoff_grid(rate: float) -> tuple[float, ...]:
         Frames per second (Hz); the first is half of it.
     """
     highest = rate / 2
-    lowest = min(max(SLOWEST_HZ, SLOWEST * rate / (2 * np.pi)), highest / 2)
+    lowest = min(max(SLOWEST_HZ, lowest_cutoff(rate)), highest / 2)
     count = int(PER_DECADE * np.log10(highest / lowest)) + 2
     return tuple(np.geomspace(highest, lowest, count).tolist())
 

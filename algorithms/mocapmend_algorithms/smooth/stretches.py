@@ -174,12 +174,16 @@ def sort_pieces(
     short = [
         Untouched(
             Run(run.marker, piece.start, piece.stop),
-            f"{piece.samples} samples on end are too few: this needs at least {least}.",
+            f"Only {_samples(piece.samples)} on end: this needs at least {least}.",
         )
         for piece in found
         if piece.samples < least
     ]
     return [piece for piece in found if piece.samples >= least], short
+
+
+def _samples(count: int) -> str:
+    return "1 sample" if count == 1 else f"{count} samples"
 
 
 def cut(recording: Recording, run: Run, piece: Piece) -> FloatArray:

@@ -7,7 +7,7 @@ in it; a line that is cut, or that something else has written, is passed over.
 
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -50,8 +50,10 @@ class Ledger:
 
     Attributes
     ----------
-    entries : dict of str to Entry or None
-        By file; None where it was begun and not done.
+    done : dict of str to Entry
+        By file, what was done last.
+    begun : set of str
+        Files that were begun after that, and whose end nobody has seen.
 
     Raises
     ------
@@ -67,7 +69,10 @@ class Ledger:
             raw = self._stream.read()
         except OSError as error:
             raise self._cannot(error) from error
-        self.entries: dict[str, Entry | None] = dict(_decode(raw))
+        self.done: dict[str, Entry] = {}
+        self.begun: set[str] = set()
+        for line in raw.splitlines():
+            self._learn(line)
         if raw and not raw.endswith(b"\n"):
             self._append(b"")
 
@@ -75,7 +80,7 @@ class Ledger:
         """Note that a file's copy is going to be written."""
         self._append(_encode({"begun": file}))
 
-    def done(self, finished: Finished, key: str) -> None:
+    def finish(self, finished: Finished, key: str) -> None:
         """Note that a file is done."""
         seen = {"input": finished.input, "output": finished.output}
         line = {
@@ -90,9 +95,32 @@ class Ledger:
         except OSError as error:
             raise self._cannot(error) from error
 
+    def fail(self, file: str) -> None:
+        """Note that a file has failed: its copy is what it was before."""
+        self._append(_encode({"failed": file}))
+
     def close(self) -> None:
         """Give the file back."""
         self._stream.close()
+
+    def _learn(self, line: bytes) -> None:
+        """Take in what a line says, if it is one of ours."""
+        try:
+            data = json.loads(line)
+            if data[KEY] != FORMAT:
+                return
+            if "begun" in data:
+                self.begun.add(str(data["begun"]))
+                return
+            if "failed" in data:
+                self.begun.discard(str(data["failed"]))
+                return
+            row, given, made = data["row"], data["input"], data["output"]
+            entry = Entry(str(data["key"]), Row.from_json(row), Seen(**given), Seen(**made))
+            self.done[str(data["done"])] = entry
+            self.begun.discard(str(data["done"]))
+        except (ValueError, KeyError, TypeError, RecursionError):
+            return
 
     def _append(self, line: bytes) -> None:
         try:
@@ -111,20 +139,3 @@ class Ledger:
 
 def _encode(data: Mapping[str, Any]) -> bytes:
     return json.dumps({KEY: FORMAT, **data}).encode("ascii")
-
-
-def _decode(raw: bytes) -> Iterator[tuple[str, Entry | None]]:
-    """Yield file and entry of each line that is one."""
-    for line in raw.splitlines():
-        try:
-            data = json.loads(line)
-            if data[KEY] != FORMAT:
-                continue
-            if "begun" in data:
-                yield str(data["begun"]), None
-                continue
-            row, given, made = data["row"], data["input"], data["output"]
-            entry = Entry(str(data["key"]), Row.from_json(row), Seen(**given), Seen(**made))
-            yield str(data["done"]), entry
-        except (ValueError, KeyError, TypeError, RecursionError):
-            continue

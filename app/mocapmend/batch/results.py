@@ -1,11 +1,13 @@
 """What a batch says about each of its files: plain data that travels between processes."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from mocapmend.errors import MocapmendError
 
+NUMBER = re.compile(r"\d+(\.\d+)?")
 State = Literal["repaired", "unchanged", "failed", "waiting"]
 
 
@@ -24,6 +26,46 @@ class Reason:
     gaps: int
     samples: int
     example: str
+
+    @property
+    def kind(self) -> str:
+        """The reason without its numbers."""
+        return NUMBER.sub("#", self.example)
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """Bad samples of a file that were put right.
+
+    Attributes
+    ----------
+    kind : str
+        Id of the detector that has found them.
+    runs, samples : int
+        How many runs, and how many samples are in them.
+    """
+
+    kind: str
+    runs: int
+    samples: int
+
+
+@dataclass(frozen=True)
+class Smoothed:
+    """What smoothing has done to a file.
+
+    Attributes
+    ----------
+    markers : int
+        How many were smoothed.
+    rms_mm, largest_mm : float or None
+        Root mean square of the shifts, median over the markers, and the largest shift; None where
+        nothing was smoothed.
+    """
+
+    markers: int
+    rms_mm: float | None
+    largest_mm: float | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,6 +93,10 @@ class Figures:
     tracked_before, tracked_after : float or None
         Tracking success in %: the share of the markers that are there, mean over the frames;
         None where no marker is ever seen.
+    fixed : tuple of Fixed
+        Bad samples that were put right, by kind.
+    smoothed : Smoothed or None
+        None without smoothing.
     warnings : tuple of str
         What was odd about the file.
     """
@@ -70,7 +116,14 @@ class Figures:
     no_estimate: int = 0
     tracked_before: float | None = None
     tracked_after: float | None = None
+    fixed: tuple[Fixed, ...] = ()
+    smoothed: Smoothed | None = None
     warnings: tuple[str, ...] = ()
+
+    @property
+    def samples_fixed(self) -> int:
+        """Bad samples that were put right."""
+        return sum(each.samples for each in self.fixed)
 
     @property
     def samples_left(self) -> int:
@@ -134,11 +187,15 @@ class Row:
         KeyError, TypeError
             If it is something else.
         """
-        figures = data["figures"]
-        reasons = tuple(Reason(**reason) for reason in figures["reasons"])
-        warnings = tuple(figures["warnings"])
-        known = Figures(**{**figures, "reasons": reasons, "warnings": warnings})
-        return cls(**{**data, "figures": known})
+        figures = dict(data["figures"])
+        smoothed = figures["smoothed"]
+        figures |= {
+            "reasons": tuple(Reason(**reason) for reason in figures["reasons"]),
+            "fixed": tuple(Fixed(**each) for each in figures["fixed"]),
+            "smoothed": None if smoothed is None else Smoothed(**smoothed),
+            "warnings": tuple(figures["warnings"]),
+        }
+        return cls(**{**data, "figures": Figures(**figures)})
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from mocapmend.batch.folder import REPORT, Found, find
 from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.batch.ledger import Entry, Ledger
 from mocapmend.batch.results import Finished, Problem, Row
-from mocapmend.batch.seeing import is_still
+from mocapmend.batch.seeing import is_still, stamp_of
 from mocapmend.batch.summary_files import SUMMARIES
 from mocapmend.batch.work import Task, make_folder
 from mocapmend.errors import MocapmendError
@@ -121,20 +121,23 @@ class Batch:
         """Note what has become of a task."""
         if finished.trace:
             logger.error("%s: %s", task.request.file, finished.trace)
-        if finished.input is not None:
-            self._ledger.done(finished, task.key)
+        if finished.input is None:
+            self._ledger.fail(task.file)
+        else:
+            self._ledger.finish(finished, task.key)
         self.rows[task.file] = _with_what_is_left(finished.row, task)
 
     def _sort_out(self, item: Found) -> None:
         """Find out whether a file is done, cannot be done, or is to be done."""
         task = self._task(item)
-        entry = self._ledger.entries.get(item.file)
+        entry = self._ledger.done.get(item.file)
         problem = item.problem
         if problem is None and not self.order.again:
             if entry is not None and self._is_current(task, entry):
                 self.rows[item.file] = replace(entry.row, state="unchanged")
                 return
-            begun = entry is None and item.file in self._ledger.entries
+            # What was begun may have been written, and not noted any more.
+            begun = item.file in self._ledger.begun
             problem = None if begun else _in_the_way(task, entry)
         if problem is not None:
             self.rows[item.file] = task.failed(problem)
@@ -161,16 +164,13 @@ class Batch:
             report=order.out / report if report else None,
             accept_truncated=order.accept_truncated,
         )
-        try:
-            size = item.path.stat().st_size
-        except OSError:
-            size = 0
+        stamp = stamp_of(item.path)
         return Task(
             file=item.file,
             request=request,
             output=item.output,
             report=report,
-            size=size,
+            size=0 if stamp is None else stamp.size,
             key=self._key,
         )
 

@@ -1,28 +1,19 @@
 """The page about a batch: what needs attention first, and the figures of every file."""
 
-import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import nan
 from pathlib import Path
-from urllib.parse import quote
 
 import numpy as np
 
 from mocapmend import __version__
-from mocapmend.batch.results import Reason, Row
+from mocapmend.batch.file_table import cut, file_table, share
+from mocapmend.batch.results import Fixed, Reason, Row
 from mocapmend.batch.totals import Totals
 from mocapmend.report import charts
 from mocapmend.report.content import Bullets, Content, Figures, Pairs, Part, Section, Text
-from mocapmend.report.tables import MOST_ROWS, Column, Table, number, percent
+from mocapmend.report.tables import MOST_ROWS, Column, Table
 from mocapmend.wording import count
-
-STATES = {
-    "repaired": "repaired",
-    "unchanged": "repaired by an earlier run",
-    "failed": "failed",
-    "waiting": "not done yet",
-}
 
 
 @dataclass(frozen=True)
@@ -35,14 +26,12 @@ class Facts:
         Where the recordings are and where their copies go.
     plan : Path
         The plan's file.
-    method, limits : str
-        What it says, for people.
+    method, limits, fix, smoothing : str
+        What it says, for people; "" where it says nothing.
     seconds : float
         How long this run took.
     workers : str
         Who did the work.
-    interrupted : bool
-        Whether the run was stopped before its end.
     """
 
     folder: Path
@@ -50,9 +39,10 @@ class Facts:
     plan: Path
     method: str
     limits: str
+    fix: str
+    smoothing: str
     seconds: float
     workers: str
-    interrupted: bool = False
 
 
 def contents(rows: Sequence[Row], facts: Facts) -> Content:
@@ -60,6 +50,7 @@ def contents(rows: Sequence[Row], facts: Facts) -> Content:
     sections = (
         Section("attention", "What could not be repaired", tuple(_failed(rows))),
         Section("open", "Why gaps stayed open", tuple(_reasons(rows))),
+        Section("fixed", "Bad samples put right", tuple(_fixed(rows))),
         Section("success", "Tracking success", tuple(_success(rows))),
         Section("files", "Files", tuple(_files(rows))),
         Section("warnings", "Warnings about the files", tuple(_warnings(rows))),
@@ -76,7 +67,12 @@ def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
     totals = Totals.of(rows)
     yield "Recordings", str(facts.folder)
     yield "Repaired copies", str(facts.out)
-    yield "Plan", f"{facts.plan.name}: {facts.method}; limits: {facts.limits}"
+    yield "Plan", facts.plan.name
+    if facts.fix:
+        yield "Bad samples", f"found by {facts.fix}: {totals.samples_fixed} put right"
+    yield "Filling", f"{facts.method}; limits: {facts.limits}"
+    if facts.smoothing:
+        yield "Smoothing", f"{facts.smoothing}, {totals.files_smoothed} files"
     states = (
         (totals.repaired, "repaired now"),
         (totals.unchanged, "repaired by an earlier run"),
@@ -92,7 +88,7 @@ def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
         f"{totals.samples_missing} before, {totals.samples_missing - totals.samples_filled} after",
     )
     before, after = totals.tracked_before, totals.tracked_after
-    yield "Markers tracked", f"{_share(before)} % before, {_share(after)} % after"
+    yield "Markers tracked", f"{share(before)} % before, {share(after)} % after"
     yield "Time", f"{facts.seconds:.1f} s with {facts.workers}; one by one {totals.seconds:.1f} s"
 
 
@@ -102,7 +98,7 @@ def _failed(rows: Sequence[Row]) -> Iterator[Part]:
         yield Table(
             (Column("File", "name"), Column("Why", "text"), Column("What to do", "text")),
             tuple((file, problem.what, problem.todo) for file, problem in failed[:MOST_ROWS]),
-            _cut(len(failed)),
+            cut(len(failed)),
         )
 
 
@@ -110,17 +106,52 @@ def _reasons(rows: Sequence[Row]) -> Iterator[Part]:
     listed = [(row.file, reason) for row in rows if row.figures for reason in row.figures.reasons]
     if not listed:
         return
-    yield Text("Reasons that differ in their numbers alone are one line of a file.", dim=True)
+    yield Text("Reasons that differ in their numbers alone are one.", dim=True)
+    kinds: dict[str, list[Reason]] = {}
+    for _, reason in listed:
+        kinds.setdefault(reason.kind, []).append(reason)
+    ordered = sorted(kinds.values(), key=lambda alike: -sum(reason.gaps for reason in alike))
+    yield Table(
+        (Column("Gaps"), Column("Samples"), Column("Files"), Column("Why", "text")),
+        tuple(map(_kind, ordered[:MOST_ROWS])),
+    )
+    yield Text("File by file:")
     yield Table(
         (Column("File", "name"), Column("Gaps"), Column("Samples"), Column("Why", "text")),
         tuple((file, *_reason(reason)) for file, reason in listed[:MOST_ROWS]),
-        _cut(len(listed)),
+        cut(len(listed)),
     )
+
+
+def _kind(alike: Sequence[Reason]) -> tuple[str, ...]:
+    gaps, samples = sum(each.gaps for each in alike), sum(each.samples for each in alike)
+    all_of_them = Reason(gaps, samples, alike[0].example)
+    return str(gaps), str(samples), str(len(alike)), _reason(all_of_them)[-1]
 
 
 def _reason(reason: Reason) -> tuple[str, str, str]:
     such = "such as: " if reason.gaps > 1 else ""
     return str(reason.gaps), str(reason.samples), such + reason.example
+
+
+def _fixed(rows: Sequence[Row]) -> Iterator[Part]:
+    kinds: dict[str, list[Fixed]] = {}
+    for row in rows:
+        for fixed in row.figures.fixed if row.figures else ():
+            kinds.setdefault(fixed.kind, []).append(fixed)
+    if kinds:
+        yield Table(
+            (Column("Kind", "name"), Column("Files"), Column("Runs"), Column("Samples")),
+            tuple(
+                (
+                    kind,
+                    str(len(all_of)),
+                    str(sum(each.runs for each in all_of)),
+                    str(sum(each.samples for each in all_of)),
+                )
+                for kind, all_of in sorted(kinds.items())
+            ),
+        )
 
 
 def _success(rows: Sequence[Row]) -> Iterator[Part]:
@@ -150,74 +181,12 @@ def _success(rows: Sequence[Row]) -> Iterator[Part]:
 
 
 def _files(rows: Sequence[Row]) -> Iterator[Part]:
-    shown = rows[:MOST_ROWS]
     yield Text(
         "Those that need attention come first: what failed, then what misses most samples, then "
         "what has the largest expected errors. A dash: not known.",
         dim=True,
     )
-    yield Table(
-        (
-            Column("File", "name"),
-            Column("Result", "text"),
-            Column("Frames"),
-            Column("Markers"),
-            Column("Gaps"),
-            Column("Filled"),
-            Column("Left open"),
-            Column("Samples missing before"),
-            Column("after"),
-            Column("Expected error, median (mm)"),
-            Column("largest (mm)"),
-            Column("Filled without estimate"),
-            Column("Markers tracked before (%)"),
-            Column("after (%)"),
-            Column("Seconds"),
-            Column("Report", "text"),
-        ),
-        tuple(map(_row, shown)),
-        _cut(len(rows)),
-        tuple(map(_links, shown)),
-    )
-
-
-def _row(row: Row) -> tuple[str, ...]:
-    figures, report = row.figures, "report" if row.report else "—"
-    if figures is None:
-        seconds = number(row.seconds if row.state == "failed" else nan, 1)
-        return (row.file, STATES[row.state], *["—"] * 12, seconds, report)
-    return (
-        row.file,
-        STATES[row.state],
-        *map(
-            str,
-            (
-                figures.frames,
-                figures.markers,
-                figures.gaps,
-                figures.filled,
-                figures.left_open,
-                figures.samples_missing,
-                figures.samples_left,
-            ),
-        ),
-        _millimetres(figures.expected_median_mm),
-        _millimetres(figures.expected_worst_mm),
-        str(figures.no_estimate),
-        _share(figures.tracked_before),
-        _share(figures.tracked_after),
-        number(row.seconds, 1),
-        report,
-    )
-
-
-def _links(row: Row) -> tuple[str, ...]:
-    return _href(row.output), *[""] * 14, _href(row.report)
-
-
-def _href(path: str | None) -> str:
-    # A name may hold a colon, which would make a scheme of what is before it.
-    return f"./{quote(os.fsencode(path))}" if path else ""
+    yield file_table(rows)
 
 
 def _warnings(rows: Sequence[Row]) -> Iterator[Part]:
@@ -237,17 +206,3 @@ def _warnings(rows: Sequence[Row]) -> Iterator[Part]:
 
 def _others(more: int) -> str:
     return f" and {count(more, 'other file')}" if more else ""
-
-
-def _cut(rows: int) -> str:
-    if rows <= MOST_ROWS:
-        return ""
-    return f"Of {rows} rows, the first {MOST_ROWS} are shown. summary.csv has all files."
-
-
-def _share(value: float | None) -> str:
-    return percent(nan if value is None else value)
-
-
-def _millimetres(value: float | None) -> str:
-    return number(nan if value is None else value)

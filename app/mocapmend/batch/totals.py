@@ -24,6 +24,10 @@ class Totals:
         Gaps that were open, filled, and that stayed open.
     samples_missing, samples_filled : int
         Samples that were missing, and that were filled.
+    samples_fixed : int
+        Bad samples that were put right.
+    files_smoothed : int
+        Files in which something was smoothed.
     tracked_before, tracked_after : float or None
         Mean tracking success in %, each file weighted by its frames; None without any.
     seconds : float
@@ -41,6 +45,8 @@ class Totals:
     left_open: int
     samples_missing: int
     samples_filled: int
+    samples_fixed: int
+    files_smoothed: int
     tracked_before: float | None
     tracked_after: float | None
     seconds: float
@@ -62,6 +68,8 @@ class Totals:
             left_open=sum(figures.left_open for figures in known),
             samples_missing=sum(figures.samples_missing for figures in known),
             samples_filled=sum(figures.samples_filled for figures in known),
+            samples_fixed=sum(figures.samples_fixed for figures in known),
+            files_smoothed=sum(bool(each.smoothed and each.smoothed.markers) for each in known),
             tracked_before=_weighted((each.tracked_before, each.frames) for each in known),
             tracked_after=_weighted((each.tracked_after, each.frames) for each in known),
             seconds=math.fsum(row.seconds for row in rows),

@@ -1,6 +1,5 @@
 """One file of a batch: what a worker does, wherever it runs."""
 
-import re
 import time
 import traceback
 from collections.abc import Sequence
@@ -10,7 +9,16 @@ from pathlib import Path
 import numpy as np
 
 from mocapmend import repairing
-from mocapmend.batch.results import Figures, Finished, Problem, Reason, Row
+from mocapmend.batch.results import (
+    NUMBER,
+    Figures,
+    Finished,
+    Fixed,
+    Problem,
+    Reason,
+    Row,
+    Smoothed,
+)
 from mocapmend.batch.seeing import see, stamp_of
 from mocapmend.errors import MocapmendError
 from mocapmend.files.opening import changed_on_disk
@@ -19,8 +27,9 @@ from mocapmend_algorithms import Cancelled, Progress
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.contract import Unfilled
 from mocapmend_algorithms.metrics import success_curves, tracked
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
-NUMBER = re.compile(r"\d+(\.\d+)?")
 MOST_REASONS = 10
 
 
@@ -155,8 +164,27 @@ def figures_of(done: Outcome) -> Figures:
         no_estimate=len(repairs) - len(known),
         tracked_before=_mean_success(before, counted),
         tracked_after=_mean_success(after, counted),
+        fixed=fixed_of(done.fixed),
+        smoothed=None if done.smoothing is None else smoothed_of(done.smoothing, recording.mm),
         warnings=done.source.warnings,
     )
+
+
+def fixed_of(runs: Sequence[BadRun]) -> tuple[Fixed, ...]:
+    """Count bad samples by kind."""
+    kinds: dict[str, list[int]] = {}
+    for run in runs:
+        kinds.setdefault(run.kind, []).append(run.length)
+    return tuple(Fixed(kind, len(kinds[kind]), sum(kinds[kind])) for kind in sorted(kinds))
+
+
+def smoothed_of(result: SmoothResult, mm: float) -> Smoothed:
+    """Say how far smoothing has moved samples; `mm` is the recording's unit in mm."""
+    runs = result.runs
+    if not runs:
+        return Smoothed(0, None, None)
+    rms = float(np.median([one.rms for one in runs])) * mm
+    return Smoothed(len({one.run.marker for one in runs}), rms, max(o.largest for o in runs) * mm)
 
 
 def reasons_of(unfilled: Sequence[Unfilled]) -> tuple[Reason, ...]:

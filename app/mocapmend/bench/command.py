@@ -16,6 +16,7 @@ BENCHES = {
     "poses": "sparse codes of poses: dictionary size, gap length, missing markers",
     "paper": "a paper's experiment: joints of a skeleton, neighbours missing for long",
     "smoothing": "noise taken away and motion lost by smoothing, on recordings with added noise",
+    "labels": "points without names labelled from other recordings, against a fixed pose",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
     "problems": "detectors of bad samples, on recordings with errors put in",
 }

@@ -12,6 +12,7 @@ system that all of them see under the same path.
 import argparse
 import os
 import time
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from typing import Any
 from mocapmend.batch import cluster
 from mocapmend.batch.crew import Crew
 from mocapmend.batch.local import Local
-from mocapmend.batch.results import Finished
+from mocapmend.batch.results import Finished, Row
 from mocapmend.batch.running import Batch, Order
 from mocapmend.batch.show import Tracker, duration, end_text, result_text
 from mocapmend.batch.summary_files import write_summaries
@@ -117,9 +118,10 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         plan=arguments.plan,
         method=method_text(*plan.way),
         limits=_limits_text(plan),
+        fix=", ".join(plan.fix),
+        smoothing="" if plan.smooth is None else method_text(*plan.smooth),
         seconds=time.monotonic() - start,
         workers=workers,
-        interrupted=wish.stop,
     )
     return _tell(batch, facts, console)
 
@@ -186,38 +188,49 @@ def _tell(batch: Batch, facts: Facts, console: Console) -> int:
         plan=str(facts.plan),
         method=facts.method,
         limits=facts.limits,
+        fix=list(batch.order.plan.fix),
+        smoothing=facts.smoothing or None,
         workers=facts.workers,
-        interrupted=facts.interrupted,
+        interrupted=totals.waiting > 0,
         seconds=facts.seconds,
         totals=asdict(totals),
         files=[row.as_json() for row in rows],
         summary_html=str(page),
         summary_csv=str(table),
     )
-    console.say(
-        f"Repaired: {totals.done} of {common.count(totals.files, 'file')}{_of_those(totals)}"
-    )
-    console.say(
-        f"Filled:   {totals.filled} of {common.count(totals.gaps, 'gap')}, "
-        f"{common.count(totals.samples_filled, 'sample')}"
-    )
-    console.say(f"Time:     {duration(facts.seconds)} with {facts.workers}")
+    _say(totals, facts, console)
     console.say(f"Summary:  {page}")
     console.say(f"Table:    {table}")
-    bad = [row for row in rows if row.state == "failed"]
-    if bad:
-        console.say(f"\n{common.count(len(bad), 'file')} failed:")
-        for row in bad[: common.MOST_ROWS]:
-            console.say(result_text(row))
-        if len(bad) > common.MOST_ROWS:
-            console.say(f"and {len(bad) - common.MOST_ROWS} more: the summary lists them all.")
-    if facts.interrupted:
+    _say_failures([row for row in rows if row.state == "failed"], console)
+    if totals.waiting:
         console.warn(
             f"Interrupted; {common.count(totals.waiting, 'file')} not done yet. "
             "The same command goes on where this one has stopped."
         )
         return INTERRUPTED
-    return FAILED if bad else DONE
+    return FAILED if totals.failed else DONE
+
+
+def _say(totals: Totals, facts: Facts, console: Console) -> None:
+    files, gaps = common.count(totals.files, "file"), common.count(totals.gaps, "gap")
+    console.say(f"Repaired: {totals.done} of {files}{_of_those(totals)}")
+    if facts.fix:
+        console.say(f"Fixed:    {common.count(totals.samples_fixed, 'bad sample')} ({facts.fix})")
+    samples = common.count(totals.samples_filled, "sample")
+    console.say(f"Filled:   {totals.filled} of {gaps}, {samples}")
+    if facts.smoothing:
+        console.say(f"Smoothed: {common.count(totals.files_smoothed, 'file')} ({facts.smoothing})")
+    console.say(f"Time:     {duration(facts.seconds)} with {facts.workers}")
+
+
+def _say_failures(rows: Sequence[Row], console: Console) -> None:
+    if not rows:
+        return
+    console.say(f"\n{common.count(len(rows), 'file')} failed:")
+    for row in rows[: common.MOST_ROWS]:
+        console.say(result_text(row))
+    if len(rows) > common.MOST_ROWS:
+        console.say(f"and {len(rows) - common.MOST_ROWS} more: the summary lists them all.")
 
 
 def _of_those(totals: Totals) -> str:

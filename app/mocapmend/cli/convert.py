@@ -8,9 +8,11 @@ import argparse
 from pathlib import Path
 
 from mocapmend import engine
+from mocapmend.changes import earlier
 from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
 from mocapmend.files import check_ending, read_recording
+from mocapmend.layers import Layers
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,7 +30,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     console.start("Writing")
     exported = engine.export(
         source,
-        engine.Changes((), source.repairs, tuple(source.kept_open.values())),
+        earlier(Layers.of(source)).changes(),
         out,
         replace_source=False,
         accept_truncated=arguments.accept_truncated,

@@ -17,14 +17,16 @@ DONE, FAILED, INTERRUPTED = 0, 1, 130
 COMMANDS = {
     "info": "say what a file holds",
     "gaps": "list the gaps of a file",
+    "problems": "list the samples of a file that are there but wrong",
     "repair": "fill gaps and write a repaired copy",
     "batch": "repair many files by one plan, on all cores or on a cluster",
+    "label": "propose labels for points without names, from labelled recordings",
     "report": "write a report on a recording that was repaired earlier",
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",
     "train": "make what methods learn from: train sparse",
     "check": "prove that a repaired C3D file differs from its original in repaired samples alone",
-    "bench": "measure speed and accuracy: bench io, bench gui, bench fuzz, bench gaps",
+    "bench": "measure speed and accuracy: bench io, bench gui, bench gaps, bench problems",
 }
 PARTS = {
     "train": {"sparse": "gather what the sparse methods learn from"},

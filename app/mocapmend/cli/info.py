@@ -10,7 +10,8 @@ import numpy as np
 from mocapmend import engine
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
-from mocapmend.files import C3DFile, ForcePlate, Layout, Source
+from mocapmend.files import NO_CORRECTIONS, C3DFile, Corrections, ForcePlate, Layout, Source
+from mocapmend.files.corrections import KINDS
 from mocapmend.files.records import RecordedRun
 from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.skeleton import Skeleton
@@ -44,6 +45,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         )
     _show_repairs(source, console)
     _show_kept_open(source, console)
+    _show_corrections(source, console)
     return 0
 
 
@@ -68,6 +70,38 @@ def _show_kept_open(source: Source, console: Console) -> None:
         tuple(source.kept_open.values()),
         lambda entry: (entry.reason,),
     )
+
+
+def _show_corrections(source: Source, console: Console) -> None:
+    """List what else was put right."""
+    known = _corrections(source)
+    _show_runs(
+        console,
+        ("Set aside", ">Frames", ">Length", "Why"),
+        known.set_aside,
+        lambda entry: (f"{entry.problem}: {entry.reason}",),
+    )
+    _show_runs(
+        console,
+        ("Exchanged", ">Frames", ">Length", "Holds what was stored as"),
+        known.moved,
+        lambda entry: (entry.from_marker,),
+    )
+    _show_runs(
+        console,
+        ("Smoothed", ">Frames", ">Length", "Method", ">Moved by (mm rms)"),
+        known.smoothed,
+        lambda entry: (entry.method, f"{entry.rms_change_mm:.2g}"),
+    )
+    if known.renamed:
+        console.say("")
+        console.table(
+            ("Renamed", "Was called"), [(entry.marker, entry.former) for entry in known.renamed]
+        )
+
+
+def _corrections(source: Source) -> Corrections:
+    return NO_CORRECTIONS if source.provenance is None else source.provenance.corrections
 
 
 def _show_runs(
@@ -118,6 +152,10 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
         "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
         "repairs": [record.as_json() for record in source.repairs],
         "kept_open": [entry.as_json() for entry in source.kept_open.values()],
+        **{
+            kind: [entry.as_json() for entry in getattr(_corrections(source), kind)]
+            for kind in KINDS
+        },
         "force_plates": [_force_plate(plate, recording.mm) for plate in source.force_plates],
         "skeleton": {
             "name": skeleton.name,

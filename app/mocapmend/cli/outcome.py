@@ -90,7 +90,8 @@ def _smoothed(done: Outcome, result: SmoothResult) -> list[dict[str, Any]]:
         {
             **common.place(recording, one.run),
             "method": result.method,
-            "parameters": {**result.params, **one.chosen},
+            "parameters": result.params,
+            "chosen": one.chosen,
             "rms_change_mm": one.rms * recording.mm,
             "largest_change_mm": one.largest * recording.mm,
         }

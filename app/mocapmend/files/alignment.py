@@ -1,13 +1,13 @@
 """Two C3D files side by side: with the repair record taken out, and in the same number format."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from io import BytesIO, FileIO
 
 import numpy as np
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files import c3d_group, c3d_head
+from mocapmend.files import c3d_group, c3d_head, c3d_rename
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_layout import Layout, read_layout
 from mocapmend.files.c3d_reader import analog_unsigned
@@ -41,6 +41,8 @@ class Side:
         As it would be without the repair record.
     record_blocks : int
         Blocks of the repair record.
+    added : int
+        Bytes by which other labels would make it longer.
     """
 
     stream: FileIO
@@ -50,6 +52,7 @@ class Side:
     stored_head: bytes
     bare: Layout
     record_blocks: int
+    added: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +104,9 @@ def read_side(stream: FileIO, size: int, where: str) -> Side:
     return Side(stream, size, layout, bare, head, bare_layout, blocks)
 
 
-def align(before: Side, after: Side | None, size: int) -> Alignment:
+def align(
+    before: Side, after: Side | None, size: int, labels: Mapping[int, str] | None = None
+) -> Alignment:
     """Find out how to compare two files.
 
     Parameters
@@ -112,11 +117,15 @@ def align(before: Side, after: Side | None, size: int) -> Alignment:
         The other one; None where it cannot be read as a C3D file.
     size : int
         Its size in bytes.
+    labels : mapping of int to str, optional
+        The labels that it has in place of the original's, by stored point.
     """
     if after is not None:
         alike = before.bare, after.bare
         converted = not alike[0].is_float and alike[1].is_float
-        if before.record_blocks or after.record_blocks or converted:
+        if labels:
+            before = _with_labels(before, labels)
+        if before.record_blocks or after.record_blocks or converted or labels:
             if converted:
                 floats = c3d_head.as_floats(before.head, before.bare)
                 if floats is None:
@@ -126,6 +135,16 @@ def align(before: Side, after: Side | None, size: int) -> Alignment:
             return _structured(before, after, converted=converted)
     layout = _limited(before.layout, min(before.size, size))
     return Alignment(layout, None, None, converted=False, sizes_fit=before.size == size)
+
+
+def _with_labels(side: Side, labels: Mapping[int, str]) -> Side:
+    """Return a file as it would be with other labels, if it could have them."""
+    head = c3d_rename.renamed(side.head, side.bare, labels)
+    if head is None:
+        return side
+    added = len(head) - len(side.head)
+    bare = _layout(head, side.bare.size + added, side.bare)
+    return replace(side, head=head, bare=bare, added=added)
 
 
 def pairs(
@@ -179,7 +198,10 @@ def _structured(before: Side, after: Side, *, converted: bool) -> Alignment:
         other.analog_samples,
         other.frames,
     ) and (converted or one.word == other.word)
-    sizes = before.size - before.record_blocks * BLOCK, after.size - after.record_blocks * BLOCK
+    sizes = (
+        before.size + before.added - before.record_blocks * BLOCK,
+        after.size - after.record_blocks * BLOCK,
+    )
     grown = one.frames * one.frame_bytes if converted else 0
     padding = -grown % BLOCK
     sizes_fit = sizes[1] - sizes[0] - grown in {0, padding if converted else 0}

@@ -53,7 +53,7 @@ def insert_group(head: bytes, layout: Layout, records: bytes) -> bytes | None:
     at = layout.parameters_start + 4
     if not can_change(layout) or head[at - 2] + blocks > MOST_BLOCKS:
         return None
-    changed = _with_counts(head, layout, blocks, layout.parameters_start // BLOCK)
+    changed = with_counts(head, layout, blocks, layout.parameters_start // BLOCK)
     return None if changed is None else changed[:at] + records + changed[at:]
 
 
@@ -68,7 +68,7 @@ def remove_group(head: bytes, layout: Layout, blocks: int) -> bytes | None:
     at = layout.parameters_start + 4
     if not can_change(layout) or head[at - 2] < blocks:
         return None
-    changed = _with_counts(head, layout, -blocks, layout.parameters_start // BLOCK + blocks)
+    changed = with_counts(head, layout, -blocks, layout.parameters_start // BLOCK + blocks)
     return None if changed is None else changed[:at] + changed[at + blocks * BLOCK :]
 
 
@@ -117,8 +117,14 @@ def as_floats(head: bytes, layout: Layout) -> bytes | None:
     return bytes(changed)
 
 
-def _with_counts(head: bytes, layout: Layout, blocks: int, above: int) -> bytes | None:
-    """Add a number of blocks to every count of blocks that is larger than `above` + 1."""
+def with_counts(head: bytes, layout: Layout, blocks: int, above: int) -> bytes | None:
+    """Make the section longer, and add as many blocks to each block number above `above` + 1.
+
+    Returns
+    -------
+    bytes or None
+        The head with other numbers; None where one would become too large, or is no integer.
+    """
     changed = bytearray(head)
     changed[layout.parameters_start + 2] += blocks
     order = layout.processor.byte_order

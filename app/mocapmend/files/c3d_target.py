@@ -1,15 +1,17 @@
 """What a repaired copy of a C3D file will look like: its head, its numbers, its layout."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from io import BytesIO
 
 import numpy as np
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files import c3d_group, c3d_head
+from mocapmend.files import c3d_group, c3d_head, c3d_rename
 from mocapmend.files.c3d_header import BLOCK
 from mocapmend.files.c3d_layout import Layout, read_layout
 from mocapmend.files.c3d_reader import C3DFile
+from mocapmend.files.corrections import changed_labels
 from mocapmend.files.opening import open_file
 from mocapmend.files.provenance import Provenance
 
@@ -39,7 +41,12 @@ class Target:
     record: str
 
 
-def plan(source: C3DFile, provenance: Provenance | None, *, to_float: bool) -> Target:
+def plan(
+    source: C3DFile,
+    provenance: Provenance | None,
+    *,
+    to_float: bool,
+) -> Target:
     """Plan a copy.
 
     Parameters
@@ -54,7 +61,8 @@ def plan(source: C3DFile, provenance: Provenance | None, *, to_float: bool) -> T
     Raises
     ------
     MocapmendError
-        If integers shall become floats, but the structure of the file does not allow it.
+        If integers shall become floats, or points get other labels, but the structure of the file
+        does not allow it.
     """
     layout = source.layout
     head = _read_head(source)
@@ -69,6 +77,7 @@ def plan(source: C3DFile, provenance: Provenance | None, *, to_float: bool) -> T
         if floats is None or found is None or not _same(layout, found, 0):
             raise _cannot_convert(source)
         head, layout = floats, found
+    head, layout = _with_labels(source, provenance, head, layout)
     target = Target(head, layout, padding, to_float, "")
     if provenance is source.provenance:
         return replace(target, record=_place(provenance, layout))
@@ -77,6 +86,28 @@ def plan(source: C3DFile, provenance: Provenance | None, *, to_float: bool) -> T
         return _without_group(target, former) or target
     return _with_group(target, provenance, former) or replace(
         _without_group(target, former) or target, record="sidecar"
+    )
+
+
+def _with_labels(
+    source: C3DFile, provenance: Provenance | None, head: bytes, layout: Layout
+) -> tuple[bytes, Layout]:
+    """Give points the labels that the repair record of the copy says."""
+    renamed = [() if p is None else p.corrections.renamed for p in (source.provenance, provenance)]
+    labels = changed_labels(*renamed)
+    if not labels:
+        return head, layout
+    changed = c3d_rename.renamed(head, layout, labels)
+    if changed is not None:
+        blocks = (len(changed) - len(head)) // BLOCK
+        found = _read(changed, layout, layout.size + len(changed) - len(head))
+        if found is not None and _same(layout, found, blocks, labels=labels):
+            return changed, found
+    first = min(labels)
+    raise MocapmendError(
+        f"The parameters of this file have no room for the label {labels[first]!r}.",
+        str(source.path),
+        "Choose shorter labels, or save it as another format.",
     )
 
 
@@ -136,10 +167,24 @@ def _read(head: bytes, layout: Layout, size: int) -> Layout | None:
         return None
 
 
-def _same(before: Layout, after: Layout, blocks: int) -> bool:
-    """Say whether two heads mean the same, but for our group and the numbers that moved."""
+def _same(
+    before: Layout, after: Layout, blocks: int, labels: Mapping[int, str] | None = None
+) -> bool:
+    """Say whether two heads mean the same, but for our group and the numbers that moved.
+
+    Where there are new labels, these have to be there.
+    """
     moved = after.data_start - before.data_start == blocks * BLOCK
-    return moved and _kept(before) == _kept(after) and _facts(before) == _facts(after)
+    kept = [_kept(layout) for layout in (before, after)]
+    if labels is not None:
+        if _labels(after) != {**_labels(before), **labels}:
+            return False
+        kept = [{k: v for k, v in of.items() if not c3d_rename.is_label(k)} for of in kept]
+    return moved and kept[0] == kept[1] and _facts(before) == _facts(after)
+
+
+def _labels(layout: Layout) -> dict[int, str]:
+    return dict(enumerate(layout.parameters.texts(c3d_rename.LABELS)))
 
 
 def _kept(layout: Layout) -> dict[str, tuple[int, tuple[int, ...], bytes]]:

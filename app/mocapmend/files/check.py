@@ -1,6 +1,6 @@
 """Proof that a repaired file differs from its original only where it may."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +16,7 @@ from mocapmend.files.c3d_labels import analog_labels, model_points, point_labels
 from mocapmend.files.c3d_layout import Layout
 from mocapmend.files.check_allowed import Allowed
 from mocapmend.files.check_corrections import Order, Originals
-from mocapmend.files.corrections import SetAside
+from mocapmend.files.corrections import Renamed, SetAside, changed_labels
 from mocapmend.files.findings import Findings
 from mocapmend.files.opening import open_file
 from mocapmend.files.provenance import Provenance
@@ -133,9 +133,10 @@ def check_files(
             after: Side | None = read_side(second, second_stamp.size, str(repaired))
         except MocapmendError:
             after = None
-        alignment = align(before, after, second_stamp.size)
         earlier = _record(original, before)
         record = provenance or (None if after is None else _record(repaired, after))
+        labels = changed_labels(_renamed(earlier), _renamed(record))
+        alignment = align(before, after, second_stamp.size, labels)
         order = Order(earlier, record, alignment.layout)
         found = Findings(
             alignment.layout,
@@ -145,8 +146,8 @@ def check_files(
         for one, other in pairs(alignment, first, second, (str(original), str(repaired))):
             found.add(order.applied_to(one), other)
     layout = before.layout
-    labels = point_labels(layout, [])
-    models = model_points(layout, labels)
+    names = point_labels(layout, [])
+    models = model_points(layout, names)
     others = []
     if not alignment.sizes_fit:
         others.append(f"The sizes differ: {first_stamp.size} and {second_stamp.size} bytes.")
@@ -158,7 +159,7 @@ def check_files(
         copied = earlier is not None and record.inputs == earlier.inputs
         if not copied and sidecar.hash_file(original) not in record.inputs:
             others.append("The repair record names another original.")
-    others += _sentences(layout, labels, models, found, allowed)
+    others += _sentences(layout, names, models, found, allowed)
     if alignment.converted and not (record is not None and record.converted):
         others.append("Integers became floats, and no repair record says so.")
     changed = found.changed
@@ -166,13 +167,13 @@ def check_files(
     return CheckReport(
         changed=tuple(
             ChangedRun(
-                labels[point], point, layout.first_frame + start, layout.first_frame + stop - 1
+                names[point], point, layout.first_frame + start, layout.first_frame + stop - 1
             )
             for point in np.flatnonzero(changed.any(axis=0)).tolist()
             for start, stop in runs(changed[:, point])
         ),
         changed_samples=int(np.count_nonzero(changed)),
-        allowed=(*allowed.sentences(), *_about_structure(alignment)),
+        allowed=(*allowed.sentences(), *_about_labels(names, labels), *_about_structure(alignment)),
         other_differences=tuple(others),
         identical=alignment.heads_equal and not (others or changed.any()),
     )
@@ -187,6 +188,17 @@ def _record(path: Path, side: Side) -> Provenance | None:
         return decode_group(side.layout.parameters)
     except ValueError:
         return None
+
+
+def _renamed(record: Provenance | None) -> tuple[Renamed, ...]:
+    return () if record is None else record.corrections.renamed
+
+
+def _about_labels(names: Sequence[str], labels: Mapping[int, str]) -> Iterator[str]:
+    if labels:
+        point = min(labels)
+        more = "" if len(labels) == 1 else f" and {len(labels) - 1} more"
+        yield f"{names[point]} is called {labels[point]}{more}; the repair record lists it."
 
 
 def _set_aside(record: Provenance | None) -> tuple[SetAside, ...]:

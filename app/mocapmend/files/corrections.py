@@ -2,7 +2,7 @@
 
 import math
 from base64 import b64decode, b64encode
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, Self
 
@@ -18,6 +18,7 @@ _SMOOTHED: Kinds = {
     **PLACE,
     "method": (str,),
     "parameters": (dict,),
+    "chosen": (dict,),
     "rms_change_mm": (int, float, type(None)),
 }
 _RENAMED: Kinds = {"point": (int,), "former": (str,), "marker": (str,)}
@@ -104,13 +105,16 @@ class SmoothedRun(RecordedRun):
     method : str
         Method id.
     parameters : dict
-        Its parameters, and what it chose by itself.
+        Its parameters.
+    chosen : dict
+        What it chose by itself, as cut-off frequencies.
     rms_change_mm : float
         How far samples were moved; NaN where unknown.
     """
 
     method: str
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    chosen: Mapping[str, Any] = field(default_factory=dict)
     rms_change_mm: float = math.nan
 
     def as_json(self) -> dict[str, Any]:
@@ -127,8 +131,8 @@ class SmoothedRun(RecordedRun):
             If it is none.
         """
         values = values_of(data, _SMOOTHED, "a run that was smoothed")
-        known = values["parameters"].items()
-        values["parameters"] = {k: parameter(v, (str, int, float)) for k, v in known}
+        for key in ("parameters", "chosen"):
+            values[key] = {k: parameter(v, (str, int, float)) for k, v in values[key].items()}
         change = values["rms_change_mm"]
         return cls(**values | {"rms_change_mm": math.nan if change is None else float(change)})
 
@@ -172,6 +176,29 @@ class Renamed:
 
 KINDS = ("set_aside", "moved", "smoothed", "renamed")
 """The kinds of corrections, by their names in a record."""
+
+
+def changed_labels(earlier: Iterable[Renamed], now: Iterable[Renamed]) -> dict[int, str]:
+    """Return the labels that a copy of a file has in place of the file's own.
+
+    Parameters
+    ----------
+    earlier, now : iterable of Renamed
+        What the repair record of the file, and that of the copy, say.
+
+    Returns
+    -------
+    dict of int to str
+        By stored point, from 0.
+    """
+    before, after = ({entry.point: entry for entry in entries} for entries in (earlier, now))
+    labels = {}
+    for point in sorted({*before, *after}):
+        old = before[point].marker if point in before else after[point].former
+        new = after[point].marker if point in after else before[point].former
+        if new != old:
+            labels[point - 1] = new
+    return labels
 
 
 @dataclass(frozen=True)

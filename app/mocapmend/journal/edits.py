@@ -1,7 +1,7 @@
 """Undo commands as records of a journal: the samples of all runs one after another, to the bit."""
 
 import dataclasses
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -9,13 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from mocapmend.believed import Correction
 from mocapmend.doubts import Change, Doubt, Doubts
-from mocapmend.edits import Edit, Repair
+from mocapmend.edits import Edit, Repair, Smoothed
 from mocapmend.journal.file import Event, Record
 from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.fill.contract import Patch
 from mocapmend_algorithms.fill.registry import method, restore_params
+from mocapmend_algorithms.smooth.registry import restore_params as restore_smoothing
+from mocapmend_algorithms.smooth.registry import smoother
 
 NO_FILL = -1
 
@@ -23,7 +25,12 @@ Way = tuple[str, Any, tuple[str, ...], int]
 """How a gap was filled: method, parameters, donors, and from which state of the samples."""
 
 
-def encode(text: str, edits: Sequence[Edit], correction: Correction | None = None) -> Record:
+def encode(
+    text: str,
+    edits: Sequence[Edit],
+    correction: Correction | None = None,
+    labels: Mapping[int, str] | None = None,
+) -> Record:
     """Return an undo command as a record.
 
     Parameters
@@ -34,6 +41,8 @@ def encode(text: str, edits: Sequence[Edit], correction: Correction | None = Non
         What the runs shall hold. The patch of a repair is what its edit writes.
     correction : Correction, optional
         What is exchanged or set aside after that.
+    labels : mapping of int to str, optional
+        What markers are called from now on.
     """
     ways: dict[Way, int] = {}
     fills = [
@@ -54,6 +63,14 @@ def encode(text: str, edits: Sequence[Edit], correction: Correction | None = Non
     # Journals of before have none, and what reads those passes it by.
     if reasons := {str(k): e.reason for k, e in enumerate(edits) if e.reason is not None}:
         event["reasons"] = reasons
+    smoothed = {k: edit.smoothed for k, edit in enumerate(edits) if edit.smoothed is not None}
+    if smoothed:
+        event["smoothed"] = {
+            str(k): [made.method, dict(made.params), dict(made.chosen), made.rms]
+            for k, made in smoothed.items()
+        }
+    if labels:
+        event["labels"] = {str(marker): label for marker, label in labels.items()}
     if correction is not None:
         event["correction"] = {
             "exchanges": [list(each) for each in correction.exchanges],
@@ -96,7 +113,10 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
     _require(all(isinstance(donor, str) for _, _, donors, *_ in ways for donor in donors))
     _require(isinstance(text, str) and type(count) is type(samples) is type(filled_samples) is int)
     _require(
-        (count > 0 or "correction" in event) and count >= 0 and samples >= 0 and filled_samples >= 0
+        (count > 0 or "correction" in event or "labels" in event)
+        and count >= 0
+        and samples >= 0
+        and filled_samples >= 0
     )
     layout = (
         ("<i8", 3 * count),
@@ -122,6 +142,8 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
     reasons = {int(place): reason for place, reason in event.get("reasons", {}).items()}
     _require(all(isinstance(reason, str) for reason in reasons.values()))
     _require(all(0 <= place < count for place in reasons))
+    smoothed = {int(place): _smoothed(*made) for place, made in event.get("smoothed", {}).items()}
+    _require(all(0 <= place < count for place in smoothed))
     edits = []
     ends, band_ends = np.cumsum(lengths), np.cumsum(lengths * filled)
     rows = zip(gaps.tolist(), fills, ends, band_ends, strict=True)
@@ -135,7 +157,7 @@ def decode(event: Event, data: bytes, recording: Recording) -> tuple[str, list[E
             repair = Repair(name, params, patch, donors, *base)
         reason = reasons.get(place)
         _require(reason is None or bool(missing[own].all()))
-        edits.append(Edit(gap, values[own], states[own], repair, reason))
+        edits.append(Edit(gap, values[own], states[own], repair, reason, smoothed.get(place)))
     return text, edits
 
 
@@ -166,6 +188,26 @@ def decode_correction(event: Event, recording: Recording) -> Correction | None:
     for run in (*gone, *come):
         _require_inside(run, recording)
     return Correction(exchanges, Change(gone, come))
+
+
+def decode_labels(event: Event, recording: Recording) -> dict[int, str]:
+    """Return what an undo command calls markers.
+
+    Raises
+    ------
+    AttributeError, TypeError or ValueError
+        If it does not fit the recording, or is none.
+    """
+    labels = {int(marker): label for marker, label in event.get("labels", {}).items()}
+    _require(all(0 <= marker < recording.markers for marker in labels))
+    _require(all(isinstance(label, str) for label in labels.values()))
+    return labels
+
+
+def _smoothed(name: str, params: dict[str, Any], chosen: dict[str, Any], rms: float) -> Smoothed:
+    restore_smoothing(smoother(name), params)
+    _require(isinstance(chosen, dict))
+    return Smoothed(name, params, chosen, float(rms))
 
 
 def _listed(doubts: Doubts) -> list[list[int | str]]:

@@ -7,7 +7,7 @@ noted. So a crash costs at most the last edit.
 
 import logging
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from threading import Event, Thread
 
@@ -75,9 +75,15 @@ class Recorder:
         except OSError as error:
             self._give_up(error)
 
-    def push(self, text: str, edits: Sequence[Edit], correction: Correction | None = None) -> None:
+    def push(
+        self,
+        text: str,
+        edits: Sequence[Edit],
+        correction: Correction | None = None,
+        labels: Mapping[int, str] | None = None,
+    ) -> None:
         """Note an undo command before it is done; the edits are never changed after."""
-        self._write(lambda: encode(text, edits, correction), later=len(edits) > AT_ONCE)
+        self._write(lambda: encode(text, edits, correction, labels), later=len(edits) > AT_ONCE)
         self._index += 1
 
     def move(self, index: int) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
-from mocapmend.journal.edits import decode, decode_correction
+from mocapmend.journal.edits import decode, decode_correction, decode_labels
 from mocapmend.journal.file import JournalFile
 from mocapmend.journal.history import History, read_history, unusable
 
@@ -57,7 +57,11 @@ def _replay(history: History, document: Document, path: Path) -> None:
     try:
         original = document.original
         steps = [
-            (*decode(*step, original), decode_correction(step[0], original))
+            (
+                *decode(*step, original),
+                decode_correction(step[0], original),
+                decode_labels(step[0], original),
+            )
             for step in history.steps
         ]
     except (AttributeError, KeyError, TypeError, ValueError) as error:
@@ -65,8 +69,8 @@ def _replay(history: History, document: Document, path: Path) -> None:
     stack = document.undo_stack
     if history.clean < 0:
         stack.resetClean()
-    for position, (text, edits, correction) in enumerate(steps, start=1):
-        stack.push(EditSamples(document, edits, text, correction))
+    for position, (text, edits, correction, labels) in enumerate(steps, start=1):
+        stack.push(EditSamples(document, edits, text, correction, labels))
         if position == history.clean:
             stack.setClean()
     stack.setIndex(history.index)

@@ -16,7 +16,7 @@ from mocapmend_algorithms.problems import BadRun
 SUSPECT = len(SampleState)
 """Stands for measured samples that are held for bad; it is no state of them."""
 PERIOD = 4
-"""Columns after which a hatch repeats."""
+"""Columns after which a pattern repeats."""
 # Missing last: a gap must show even where it shares its column with others.
 PAINTED = sorted(set(SampleState) - {SampleState.MEASURED}, key=lambda s: s is SampleState.MISSING)
 
@@ -29,8 +29,9 @@ def shape_of(state: int, height: int) -> NDArray[np.bool_]:
     Parameters
     ----------
     state : int
-        Measured samples are a thin line, missing ones a full bar, bad ones are hatched and fills
-        are two rails; `SUSPECT` is a line with teeth. Any further state is a ladder.
+        Measured samples are a thin line, missing ones a full bar, bad ones a chequered bar and
+        fills are two rails. Smoothed samples are a line that reaches the top, and a `SUSPECT` is
+        one with teeth. Any further state is a ladder.
     height : int
         Pixels of the lane.
 
@@ -44,8 +45,9 @@ def shape_of(state: int, height: int) -> NDArray[np.bool_]:
     shapes = {
         SampleState.MEASURED: ~rails,
         SampleState.MISSING: np.ones_like(rails),
-        SampleState.BAD: (x + y) % PERIOD < PERIOD // 2,
+        SampleState.BAD: (2 * x // PERIOD + y) % 2 == 0,
         SampleState.FILLED: rails,
+        SampleState.SMOOTHED: y < height - rail,
         SUSPECT: ~rails | (x % 2 == 0),
     }
     return np.asarray(shapes.get(state, rails | (x < PERIOD // 2)))
@@ -143,7 +145,7 @@ class LanePicture:
         return image
 
     def _colours(self, height: int) -> NDArray[np.uint32]:
-        """Return the colour of every state and phase of the hatch, by row of a lane."""
+        """Return the colour of every state and column of the pattern, by row of a lane."""
         ground = QColor(self._theme.window).rgb()
         table = np.full((height, len(SampleState) + 1, PERIOD), ground, np.uint32)
         for state in (*SampleState, SUSPECT):

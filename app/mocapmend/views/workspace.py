@@ -531,7 +531,7 @@ class Workspace(PanedWindow):
 
 def _do(document: Document, recorder: Recorder, command: EditSamples) -> None:
     """Do an undo command, and have it in the journal first."""
-    recorder.push(command.text(), command.edits, command.correction)
+    recorder.push(command.text(), command.edits, command.correction, command.labels)
     document.undo_stack.push(command)
 
 

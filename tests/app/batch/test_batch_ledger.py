@@ -8,7 +8,7 @@ import pytest
 from batch_trials import write_trial
 
 from mocapmend.batch.ledger import NAME, Ledger
-from mocapmend.batch.results import Figures, Finished, Reason, Row, Seen
+from mocapmend.batch.results import Figures, Finished, Fixed, Reason, Row, Seen, Smoothed
 from mocapmend.batch.seeing import is_still, see
 from mocapmend.errors import MocapmendError
 from mocapmend.files.sidecar import sidecar_path
@@ -16,7 +16,7 @@ from mocapmend.files.sidecar import sidecar_path
 FIGURES = Figures(
     frames=10, markers=2, rate_hz=100.0, gaps=3, filled=1, left_open=2, samples_missing=9,
     samples_filled=2, reasons=(Reason(2, 7, "too long"),), expected_worst_mm=1.5,
-    warnings=("odd",),
+    fixed=(Fixed("spikes", 1, 2),), smoothed=Smoothed(2, 0.5, 1.5), warnings=("odd",),
 )  # fmt: skip
 ROW = Row(file="s/ö.c3d", state="repaired", figures=FIGURES, output="s/ö.c3d", seconds=1.25)
 FINISHED = Finished(ROW, Seen(1, 2, "a" * 64), Seen(3, 4, "b" * 64, "c" * 64))
@@ -26,44 +26,47 @@ def test_what_is_done_is_known_again(tmp_path: Path) -> None:
     ledger = Ledger(tmp_path)
     ledger.begin("s/ö.c3d")
     ledger.begin("other.c3d")
-    ledger.done(FINISHED, "key")
+    ledger.finish(FINISHED, "key")
     ledger.close()
     again = Ledger(tmp_path)
     again.close()
-    assert set(again.entries) == {"s/ö.c3d", "other.c3d"}
-    assert again.entries["other.c3d"] is None
-    entry = again.entries["s/ö.c3d"]
-    assert entry is not None
+    assert again.begun == {"other.c3d"}
+    entry = again.done["s/ö.c3d"]
     assert (entry.key, entry.row) == ("key", ROW)
     assert (entry.input, entry.output) == (FINISHED.input, FINISHED.output)
 
 
-def test_a_file_that_was_begun_again_is_not_done(tmp_path: Path) -> None:
+def test_a_file_that_was_begun_again_may_be_what_it_was_or_not(tmp_path: Path) -> None:
     ledger = Ledger(tmp_path)
-    ledger.done(FINISHED, "key")
+    ledger.finish(FINISHED, "key")
     ledger.begin(ROW.file)
     ledger.close()
     again = Ledger(tmp_path)
+    assert again.begun == set(again.done) == {ROW.file}
+    again.fail(ROW.file)
     again.close()
-    assert again.entries == {ROW.file: None}
+    failed = Ledger(tmp_path)
+    failed.close()
+    assert failed.begun == set()
+    assert set(failed.done) == {ROW.file}
 
 
 def test_every_cut_of_the_last_line_leaves_the_lines_before(tmp_path: Path) -> None:
     ledger = Ledger(tmp_path)
     ledger.begin("first.c3d")
-    ledger.done(FINISHED, "key")
+    ledger.finish(FINISHED, "key")
     ledger.close()
     raw = (tmp_path / NAME).read_bytes()
     start = raw.index(b"\n") + 1
     for cut in range(start, len(raw) - 1, 7):
         (tmp_path / NAME).write_bytes(raw[:cut])
         cut_off = Ledger(tmp_path)
-        assert list(cut_off.entries) == ["first.c3d"]
+        assert (cut_off.begun, cut_off.done) == ({"first.c3d"}, {})
         cut_off.begin("next.c3d")
         cut_off.close()
         after = Ledger(tmp_path)
         after.close()
-        assert list(after.entries) == ["first.c3d", "next.c3d"]
+        assert (after.begun, after.done) == ({"first.c3d", "next.c3d"}, {})
 
 
 @pytest.mark.parametrize(
@@ -78,12 +81,12 @@ def test_lines_of_others_are_passed_over(tmp_path: Path, line: bytes) -> None:
     (tmp_path / NAME).write_bytes(line + b"\n")
     ledger = Ledger(tmp_path)
     ledger.close()
-    assert ledger.entries == {}
+    assert (ledger.begun, ledger.done) == (set(), {})
 
 
 def test_rows_that_lack_something_are_passed_over(tmp_path: Path) -> None:
     ledger = Ledger(tmp_path)
-    ledger.done(FINISHED, "key")
+    ledger.finish(FINISHED, "key")
     ledger.close()
     whole = json.loads((tmp_path / NAME).read_text())
     for broken in (
@@ -95,7 +98,7 @@ def test_rows_that_lack_something_are_passed_over(tmp_path: Path) -> None:
         (tmp_path / NAME).write_text(json.dumps(broken) + "\n")
         again = Ledger(tmp_path)
         again.close()
-        assert again.entries == {}
+        assert (again.begun, again.done) == (set(), {})
 
 
 def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:

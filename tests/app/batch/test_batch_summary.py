@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from mocapmend.batch.results import Figures, Problem, Reason, Row
+from mocapmend.batch.results import Figures, Fixed, Problem, Reason, Row, Smoothed
 from mocapmend.batch.summary_files import COLUMNS, PAGE, TABLE, write_summaries
 from mocapmend.batch.summary_page import Facts, contents
 from mocapmend.report.tables import MOST_ROWS
@@ -17,7 +17,8 @@ FIGURES = Figures(
     frames=100, markers=5, rate_hz=100.0, gaps=4, filled=1, left_open=3, samples_missing=40,
     samples_filled=10, reasons=(Reason(2, 20, "it is long"), Reason(1, 10, "it is odd")),
     expected_median_mm=1.0, expected_worst_mm=2.5, worst_place="A, frames 1-10",
-    tracked_before=92.0, tracked_after=94.0, warnings=("Up is a guess.",),
+    tracked_before=92.0, tracked_after=94.0, fixed=(Fixed("spikes", 2, 5), Fixed("swaps", 1, 40)),
+    smoothed=Smoothed(5, 0.25, 3.5), warnings=("Up is a guess.",),
 )  # fmt: skip
 ROWS = [
     Row(file="<b>&.c3d", state="repaired", figures=FIGURES, output="<b>&.c3d", seconds=1.5),
@@ -42,6 +43,8 @@ def facts() -> Facts:
         plan=Path("plan.json"),
         method="linear",
         limits="none",
+        fix="spikes, swaps",
+        smoothing="butterworth",
         seconds=12.0,
         workers="2 processes",
     )
@@ -64,6 +67,8 @@ def test_the_table_says_what_the_rows_say(tmp_path: Path, facts: Facts) -> None:
     assert (first["frames"], first["left_open"], first["samples_filled"]) == ("100", "3", "10")
     assert float(first["expected_worst_mm"]) == 2.5
     assert first["reasons"] == "2 gaps, such as: it is long; 1 gap: it is odd"
+    assert (first["fixed"], first["fixed_samples"]) == ("spikes: 2 runs; swaps: 1 run", "45")
+    assert (first["smoothed_markers"], first["smoothing_largest_mm"]) == ("5", "3.5")
     assert by_file[ROWS[1].file]["tracked_after_percent"] == ""
     assert (lines[0]["file"], lines[0]["error"], lines[0]["todo"]) == (
         "bad.c3d", "Is bad.", "Mend it.",
@@ -97,6 +102,31 @@ def test_the_page_says_first_what_needs_attention(page: str) -> None:
     assert "12.0 s with 2 processes; one by one 1.5 s" in text
     assert "y:z.c3d and 2 other files: Up is a guess." in text
     assert "share of the files (%)" in text
+
+
+def test_reasons_are_counted_over_all_files(facts: Facts) -> None:
+    reasons = (
+        (Reason(1, 4, "4 frames is long"),),
+        (Reason(2, 9, "5.5 frames is long"), Reason(2, 2, "it is odd")),
+    )
+    rows = [
+        Row(file=str(n), state="repaired", figures=replace(FIGURES, reasons=each))
+        for n, each in enumerate(reasons)
+    ]
+    sections = {section.anchor: section for section in contents(rows, facts).sections}
+    _, all_files, _, each_file = sections["open"].parts
+    assert all_files.rows == (
+        ("3", "13", "2", "such as: 4 frames is long"), ("2", "2", "1", "such as: it is odd"),
+    )  # fmt: skip
+    assert len(each_file.rows) == 3
+
+
+def test_what_was_put_right_and_smoothed_is_never_silent(page: str) -> None:
+    text = " ".join(unescape(re.sub(r"<[^>]+>", " ", page)).split())
+    assert "found by spikes, swaps: 135 put right" in text
+    assert "Smoothing butterworth, 3 files" in text
+    assert "spikes 3 6 15 swaps 3 3 120" in text
+    assert "Smoothing, rms shift (mm)" in text
 
 
 def test_the_chart_is_a_distribution(facts: Facts) -> None:

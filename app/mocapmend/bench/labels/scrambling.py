@@ -90,11 +90,13 @@ def scramble(
     seen = ~hidden & ~np.isnan(points[:, :, 0])
     stretches = [
         (marker, start, stop)
-        for marker in np.flatnonzero(~kept).tolist()
+        for marker in range(recording.markers)
         for start, stop in runs(seen[:, marker])
     ]
-    columns = [[(m, start, stop) for start, stop in runs(seen[:, m])] for m in np.flatnonzero(kept)]
-    names = [recording.labels[m] for m in np.flatnonzero(kept)]
+    whole = np.flatnonzero(kept).tolist()
+    columns = [[stretch for stretch in stretches if stretch[0] == marker] for marker in whole]
+    names = [recording.labels[marker] for marker in whole]
+    stretches = [stretch for stretch in stretches if not kept[stretch[0]]]
     columns += _stored(stretches, round(APART_SECONDS * recording.rate), rng)
     truth = np.full((recording.frames, len(columns)), NOTHING, np.int64)
     stored = np.full((recording.frames, len(columns), 3), np.nan)

@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--half", choices=HALVES, help="recordings to use (default: both halves)")
     parser.add_argument(
-        "--repeats", type=at_least(1), default=5, help="how often each recording is corrupted"
+        "--repeats", type=at_least(1), default=3, help="how often each recording is corrupted"
     )
 
 

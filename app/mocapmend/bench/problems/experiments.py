@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from mocapmend.bench.problems import injections as put
 from mocapmend.bench.problems.corruption import Corrupt
 
-SWAP_REPEATS = 10
+SWAP_REPEATS = 5
 """Swaps are long: at the same rate there are few."""
 
 

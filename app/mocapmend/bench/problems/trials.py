@@ -17,9 +17,12 @@ from mocapmend_algorithms import Recording, no_progress
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.problems.registry import detector
-from mocapmend_algorithms.skeleton import skeleton_from_distances
+from mocapmend_algorithms.skeleton import Skeleton, skeleton_from_distances
 
 SEED = 7
+LOOK_AT_BONES = ("fragments", "bone-breaks", "reflections")
+"""Detectors; for the others the search for a skeleton can be saved."""
+NO_BONES = Skeleton("", (), "none")
 BESIDE = 3
 """Frames beside what is found in the untouched recording that belong to it."""
 
@@ -78,7 +81,8 @@ def run_experiment(experiment: Experiment, data: Path, half: str, repeats: int) 
 def detect_one(experiment: Experiment, recording: Recording) -> list[BadRun]:
     """Run the detector of an experiment alone."""
     way = detector(experiment.detector)
-    skeleton = skeleton_from_distances(recording, no_progress)
+    bones = experiment.detector in LOOK_AT_BONES
+    skeleton = skeleton_from_distances(recording, no_progress) if bones else NO_BONES
     params = way.params(**experiment.params)
     return way.function(recording, skeleton, params, no_progress)
 
@@ -112,16 +116,20 @@ def _taken_back(canvas: Canvas, runs: Sequence[BadRun]) -> list[bool]:
         pair = [run.marker, run.other]
         points[run.start : run.stop, pair] = points[run.start : run.stop, pair[::-1]]
     right = (points == canvas.source.points) | np.isnan(points)
-    return [
-        bool(right[error.start : error.stop, list(error.markers)].all())
-        for error in canvas.errors
-        if any(
-            {run.marker, run.other} == set(error.markers)
+    exact = []
+    for error in canvas.errors:
+        mine = [
+            run
+            for run in runs
+            if {run.marker, run.other} == set(error.markers)
             and run.start < error.stop
             and error.start < run.stop
-            for run in runs
-        )
-    ]
+        ]
+        if mine:
+            low = min(error.start, *(run.start for run in mine))
+            high = max(error.stop, *(run.stop for run in mine))
+            exact.append(bool(right[low:high, list(error.markers)].all()))
+    return exact
 
 
 def _rival(

@@ -16,6 +16,7 @@ DEFAULTS: dict[str, tuple[str, Mapping[str, str]]] = {
     name: (name, {}) for name in registry.SMOOTHERS
 }
 WAYS = DEFAULTS | {
+    "gcv, impacts as all else": ("gcv", {"keep_impacts": "false"}),
     "butterworth, 6 Hz": ("butterworth", {"cutoff_hz": "6"}),
     "butterworth, Winter's rule": ("butterworth", {"rule": "winter"}),
 }

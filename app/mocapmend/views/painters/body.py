@@ -80,22 +80,23 @@ def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> list[QRectF]
 
 
 def paint_markers(shot: Shot, suspects: Collection[int]) -> None:
-    """Paint measured markers as circles, filled ones as squares and bad ones as crosses.
+    """Paint markers as circles, filled ones as squares and bad ones as crosses.
 
     Parameters
     ----------
     shot : Shot
         The frame.
     suspects : collection of int
-        Markers that are measured in this frame and held for bad.
+        Markers that are there in this frame and held for bad.
     """
     states = shot.document.state[shot.view.frame]
     drawn = np.isfinite(shot.pixels[:, 0])
-    measured, filled = (
+    measured, smoothed, filled = (
         shot.pixels[drawn & (states == state)]
-        for state in (SampleState.MEASURED, SampleState.FILLED)
+        for state in (SampleState.MEASURED, SampleState.SMOOTHED, SampleState.FILLED)
     )
     shot.dots(measured, shot.theme.marker, 6.0)
+    shot.dots(smoothed, shot.theme.state_colour(SampleState.SMOOTHED), 6.0)
     ink, wrong = map(shot.theme.state_colour, (SampleState.FILLED, SampleState.BAD))
     shot.dots(filled, ink, 6.5, Qt.PenCapStyle.SquareCap)
     held = [marker for marker in suspects if drawn[marker]]

@@ -8,13 +8,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from batch_trials import write_trial
+from c3d_synthetic import Synthetic, encode
 
 from mocapmend.batch import running
 from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.cli import main
-from mocapmend.plan import Plan, write_plan
+from mocapmend.plan import Plan, Smoothing, write_plan
 from mocapmend.prospects import Way
 
 Json = Callable[..., tuple[int, Any]]
@@ -37,6 +39,16 @@ def written(folder: Path) -> dict[str, int]:
         for path in folder.rglob("*")
         if path.is_file() and not path.name.startswith(("summary.", LEDGER))
     }
+
+
+def spoil(path: Path) -> None:
+    """Replace a recording by a smooth one with a spike and a gap."""
+    t = np.arange(120)[:, None, None] / 20.0
+    points = 1000.0 + 100.0 * np.sin(t + np.arange(15).reshape(1, 5, 3))
+    points[60, 1] += 300.0
+    fourth = np.zeros((120, 5))
+    points[30:35, 2], fourth[30:35, 2] = 0.0, -1.0
+    path.write_bytes(encode(Synthetic(points, fourth=fourth)))
 
 
 # --- what is written -----------------------------------------------------------------------------
@@ -84,6 +96,30 @@ def test_table_and_json_say_the_same(run: Run, out: Path) -> None:
         assert line["report"] == row["report"] == f"{row['file']}.html"
         assert (out / row["report"]).read_text("utf-8").startswith("<!DOCTYPE html>")
     assert (out / "summary.html").is_file()
+
+
+def test_a_plan_that_fixes_and_smooths_does_what_repair_does(
+    run: Run, run_json: Json, trials: Path, plan: Path, out: Path, tmp_path: Path
+) -> None:
+    for path in trials.rglob("*.*3*"):
+        spoil(path)
+    write_plan(
+        Plan(Way.default("linear"), fix=("spikes",), smooth=Smoothing.default("butterworth")), plan
+    )
+    code, done = run()
+    assert code == 0
+    assert (done["fix"], done["smoothing"]) == (["spikes"], "butterworth")
+    alone = tmp_path / "alone.c3d"
+    _, repaired = run_json("repair", trials / "b.c3d", "-o", alone, "--plan", plan)
+    assert (out / "b.c3d").read_bytes() == alone.read_bytes()
+    figures = next(row["figures"] for row in done["files"] if row["file"] == "b.c3d")
+    (spikes,) = figures["fixed"]
+    assert spikes["runs"] == len(repaired["fixed"]) > 0
+    assert figures["smoothed"]["markers"] == len(repaired["smoothed"]) > 0
+    largest = max(each["largest_change_mm"] for each in repaired["smoothed"])
+    assert figures["smoothed"]["largest_mm"] == pytest.approx(largest)
+    assert done["totals"]["samples_fixed"] >= 4
+    assert done["totals"]["files_smoothed"] == 4
 
 
 def test_without_recursive_and_with_a_pattern(
@@ -268,6 +304,20 @@ def test_a_copy_that_somebody_has_worked_on_is_kept(run: Run, out: Path) -> None
         assert "changed since the batch wrote it" in problem(done, "b.c3d")["what"]
         assert (out / "b.c3d").read_text() == "more work"
     assert run("--again")[0] == 0
+
+
+def test_what_somebody_has_made_of_a_file_that_failed_is_kept(
+    run: Run, trials: Path, out: Path
+) -> None:
+    bad = trials / "bad.c3d"
+    bad.write_text("nothing")
+    assert run()[0] == 1
+    (out / "bad.c3d").write_text("work of an evening")
+    write_trial(bad)
+    code, done = run()
+    assert code == 1
+    assert "which no batch has written" in problem(done, "bad.c3d")["what"]
+    assert (out / "bad.c3d").read_text() == "work of an evening"
 
 
 def test_out_inside_the_folder_is_no_input(

@@ -1,0 +1,109 @@
+"""List the samples of a file that are there but wrong, the most harmful first.
+
+Harm is the estimated deviation from the truth times frames, so that it compares with gaps. What
+several detectors find is listed once, as what explains it best.
+"""
+
+import argparse
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from mocapmend import engine
+from mocapmend.cli import common
+from mocapmend.cli.console import Console
+from mocapmend.files import Source, read_recording
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.problems.registry import DETECTORS, detector, remedy
+from mocapmend_algorithms.progress import part
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the command takes."""
+    common.add_file(parser)
+    parser.add_argument(
+        "--only",
+        type=_kinds,
+        metavar="KIND,...",
+        help=f"kinds of problems to look for: {', '.join(DETECTORS)} (default: all)",
+    )
+
+
+def run(arguments: argparse.Namespace, console: Console) -> int:
+    """Print every bad run and return the exit code."""
+    source = read_recording(arguments.file)
+    common.show_warnings(source, console)
+    recording = source.measured
+    console.start("Looking for problems")
+    skeleton = engine.find_skeleton(source, part(console.progress, 0.0, 0.1))
+    looked = part(console.progress, 0.1, 1.0)
+    found = engine.problems(recording, skeleton, arguments.only, looked)
+    found.sort(key=lambda each: (-each.harm, each.marker, each.start))
+    samples = _samples(recording, found)
+    console.result(
+        **common.facts(source),
+        kinds=arguments.only or list(DETECTORS),
+        problems=[_as_json(source, each) for each in found],
+        bad_samples=samples,
+    )
+    if found:
+        headers = ("Kind", "Marker", "Other", ">Frames", ">Length", ">Deviation", ">Harm", ">Sure")
+        console.table((*headers, "Reason"), [_row(recording, each) for each in found])
+    console.say(
+        f"{common.count(len(found), 'problem')}, {common.count(samples, 'bad sample')} "
+        f"of {int(np.count_nonzero(recording.present))}."
+    )
+    return 0
+
+
+def _kinds(text: str) -> list[str]:
+    try:
+        return [detector(name.strip()).id for name in text.split(",")]
+    except KeyError as error:
+        raise argparse.ArgumentTypeError(error.args[0]) from None
+
+
+def _samples(recording: Recording, found: Sequence[BadRun]) -> int:
+    """Count the samples that are bad; those of both markers of a swap."""
+    bad = np.zeros_like(recording.present)
+    for each in found:
+        bad[each.start : each.stop, each.marker] = True
+        if each.kind == "swaps" and each.other is not None:
+            bad[each.start : each.stop, each.other] = True
+    return int(np.count_nonzero(bad & recording.present))
+
+
+def _as_json(source: Source, found: BadRun) -> dict[str, Any]:
+    recording = source.measured
+    run_of_frames = Gap(found.marker, found.start, found.stop)
+    return {
+        "kind": found.kind,
+        **common.place(recording, run_of_frames),
+        "other": None if found.other is None else recording.labels[found.other],
+        "other_index": found.other,
+        "length_frames": found.length,
+        "length_ms": common.milliseconds(recording, run_of_frames),
+        "score": found.score,
+        "deviation_mm": float(found.deviation * recording.mm),
+        "harm_mm_frames": float(found.deviation * found.length * recording.mm),
+        "reason": found.reason,
+        "remedy": remedy(found),
+    }
+
+
+def _row(recording: Recording, found: BadRun) -> tuple[str, ...]:
+    known = found.deviation == found.deviation
+    away = f"{found.deviation * recording.mm:.0f} mm" if known else "?"
+    return (
+        found.kind,
+        recording.labels[found.marker],
+        "" if found.other is None else recording.labels[found.other],
+        common.frames_text(recording, Gap(found.marker, found.start, found.stop)),
+        str(found.length),
+        away,
+        f"{found.harm * recording.mm:.0f}" if known else "?",
+        f"{100 * found.score:.0f} %",
+        found.reason,
+    )
