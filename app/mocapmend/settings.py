@@ -44,6 +44,8 @@ SAME_SCALE = Setting(key="plots/same_scale", default=False)
 RANKING = Setting(key="queue/ranking", default=True)
 SEARCHING = Setting(key="queue/searching", default=True)
 """Whether bad samples are looked for in the background."""
+FIX_FIRST = Setting(key="repair/fix_first", default=False)
+"""Whether bad samples are put right before all gaps are filled."""
 COMPARE = Setting(key="repair/compare", default=True)
 TRAIL_SECONDS = Setting("view/trail_seconds", 0.5)
 SHOWN = {

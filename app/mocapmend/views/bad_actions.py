@@ -12,7 +12,8 @@ from mocapmend.commands import EditSamples
 from mocapmend.correcting import Step, step
 from mocapmend.document import Document
 from mocapmend.doubts import BY_HAND, Doubt, overlapping
-from mocapmend.fixing import is_fixable, remedies
+from mocapmend.fixing import find, is_fixable, remedies
+from mocapmend.jobs import Job, Jobs
 from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.filling import Filling
 from mocapmend.views.queue_pane import QueuePane
@@ -36,9 +37,12 @@ class BadActions(QObject):
     -------
     message : str
         Something the user should read in passing.
+    failed : Exception
+        Something that could not be done.
     """
 
     message = Signal(str)
+    failed = Signal(object)
 
     def __init__(
         self,
@@ -47,6 +51,7 @@ class BadActions(QObject):
         queue: QueuePane,
         search: BadSearch,
         filling: Filling,
+        jobs: Jobs,
         do: Callable[[EditSamples], None],
         parent: QObject | None = None,
     ) -> None:
@@ -56,6 +61,8 @@ class BadActions(QObject):
         self._queue = queue
         self._search = search
         self._filling = filling
+        self._jobs = jobs
+        self._job: Job | None = None
         self._do = do
         search.changed.connect(self._keep_up)
         search.done.connect(self._tell_found)
@@ -103,6 +110,53 @@ class BadActions(QObject):
             self._queue.step(1)
         else:
             self.message.emit(self.tr("It is a problem again."))
+
+    def fix_then(self, kinds: Sequence[str], then: Callable[[], None]) -> None:
+        """Put right all that some detectors find, in one step, and go on.
+
+        What was exchanged or set aside then is looked through by the detectors that come later, as
+        `fixing.find` does. What the user holds for no problem stays as it is.
+        """
+        document = self._document
+        if self._job is not None:
+            return
+        if document.found_skeleton is None:
+            self.message.emit(self.tr("The bones are still being looked for: try again soon."))
+            return
+        base = document.base_revision
+        job = self._jobs.compute(
+            self.tr("Looking for bad samples"),
+            find,
+            document.share_base(),
+            document.skeleton,
+            tuple(kinds),
+        )
+        job.finished.connect(lambda found: self._fix_found(base, found, then))
+        job.failed.connect(self.failed)
+        job.ended.connect(self._end)
+        self._job = job
+
+    def stop(self) -> None:
+        """Give up what is being looked for: the document is going away."""
+        if self._job is not None:
+            self._job.abandon()
+            self._job = None
+
+    def _end(self) -> None:
+        self._job = None
+
+    def _fix_found(self, base: int, found: list[BadRun], then: Callable[[], None]) -> None:
+        self._job = None
+        if base != self._document.base_revision:
+            self.message.emit(self.tr("The recording was corrected meanwhile: try again."))
+            return
+        runs = [run for run in found if not self._search.suspects.is_dismissed(run)]
+        if runs:
+            exchanges, aside = remedies(runs)
+            made = step(self._document, exchanges=exchanges, set_aside=aside)
+            text = f"fix {len(runs)} problems"
+            self._do(EditSamples(self._document, made.edits, text, made.correction))
+        then()
 
     # --- by hand -----------------------------------------------------------------------------
 

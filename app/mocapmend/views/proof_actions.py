@@ -100,8 +100,13 @@ class ProofActions(QObject):
         workspace = self._window.workspace
         if workspace is None:
             return
-        limits = workspace.repair.limits
-        made = Plan(workspace.repair.method(), limits.max_gap_ms(), limits.max_error_mm())
+        repair, limits = workspace.repair, workspace.repair.limits
+        made = Plan(
+            repair.method(),
+            limits.max_gap_ms(),
+            limits.max_error_mm(),
+            repair.fix_first.kinds(),
+        )
         path = self._window.files.ask_where(
             self.tr("Save plan"), "plan.json", {self.tr("Plans (*.json)"): ".json"}
         )
@@ -115,7 +120,7 @@ class ProofActions(QObject):
             self._window.say(self.tr("Plan written to {0}").format(path))
 
     def ask_and_load_plan(self) -> None:
-        """Let the user choose a plan, and show its method and limits."""
+        """Let the user choose a plan, and show its method, its limits, and what it fixes first."""
         workspace = self._window.workspace
         if workspace is None:
             return
@@ -133,6 +138,7 @@ class ProofActions(QObject):
         else:
             workspace.repair.choose_way(read.way)
             workspace.repair.limits.set_limits(read.max_gap_ms, read.max_error_mm)
+            workspace.repair.fix_first.set_kinds(read.fix)
 
     def ask_and_check(self) -> None:
         """Let the user choose a repaired copy, and compare it with the open recording's file."""

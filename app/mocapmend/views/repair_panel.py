@@ -26,6 +26,7 @@ from mocapmend.trimming import hidden
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.candidate_list import CandidateList
 from mocapmend.views.engine_texts import method_name, method_text, shown
+from mocapmend.views.fix_first import FixFirst
 from mocapmend.views.limits_box import LimitsBox
 from mocapmend.views.method_box import MethodBox
 from mocapmend.views.params_form import ParamsForm
@@ -235,6 +236,7 @@ class RepairPanel(QScrollArea):
         layout = _tight(box)
         self.limits = LimitsBox(self._document.original, self._settings)
         self.limits.changed.connect(self._show_gap)
+        self.fix_first = FixFirst(self._settings)
         self._outcome = QLabel()
         self._outcome.setWordWrap(True)
         self.left_open = QPushButton(self.tr("Show what stayed open…"))
@@ -243,6 +245,7 @@ class RepairPanel(QScrollArea):
         doing.addWidget(ActionButton(actions["plan"], self.tr("Plan…")))
         doing.addWidget(self._fill_all)
         layout.addWidget(self.limits)
+        layout.addWidget(self.fix_first)
         layout.addLayout(doing)
         layout.addWidget(self._outcome)
         layout.addWidget(self.left_open)

@@ -122,7 +122,7 @@ class Workspace(PanedWindow):
         )
         self.gap_actions = GapActions(document, self.view, self.queue, self.push, self)
         self.bad_actions = BadActions(
-            document, self.view, self.queue, self.search, self.filling, self.do, self
+            document, self.view, self.queue, self.search, self.filling, jobs, self.do, self
         )
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
@@ -138,6 +138,7 @@ class Workspace(PanedWindow):
         self.history = HistoryPane(document.undo_stack)
         self._themed = (self.scene, self.plots, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
+        self._refill_due = False
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._searching: Job | None = None
@@ -159,7 +160,8 @@ class Workspace(PanedWindow):
         document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
-        for part in (self.previewer, self.report, self.survey, self.search, self.filling):
+        working = (self.previewer, self.report, self.survey, self.search, self.filling)
+        for part in (*working, self.bad_actions):
             part.failed.connect(self.failed)
         self.gap_actions.message.connect(self.message)
         self.bad_actions.message.connect(self.message)
@@ -219,6 +221,7 @@ class Workspace(PanedWindow):
         self.previewer.stop()
         self.survey.stop()
         self.search.stop()
+        self.bad_actions.stop()
         self.filling.stop()
         self.report.stop()
         if self.analog is not None:
@@ -299,8 +302,14 @@ class Workspace(PanedWindow):
             self.gap_actions.apply()
 
     def fill_all(self) -> None:
-        """Fill every gap within the limits, in one undoable step."""
-        self.filling.fill_all(self.repair.method(), self.repair.limits.limits())
+        """Fill every gap within the limits, in one undoable step; fix bad samples before, if so."""
+        kinds, repair = self.repair.fix_first.kinds(), self.repair
+        fill = partial(self.filling.fill_all, repair.method(), repair.limits.limits())
+        if kinds and self.filling.job is None:
+            self._refill_due = True
+            self.bad_actions.fix_then(kinds, fill)
+        else:
+            fill()
 
     def show_plan(self) -> None:
         """Show what filling all gaps would do."""
@@ -327,6 +336,10 @@ class Workspace(PanedWindow):
 
     def _show_filling(self) -> None:
         self.repair.show_filling(running=self.filling.job is not None)
+        if self._refill_due and self.filling.job is None:
+            # What was filled before the bad samples were fixed.
+            self._refill_due = False
+            self.filling.refill()
 
     def _show_done(self, filled: int, left: int) -> None:
         text = self.tr("Gaps: {0} filled, {1} left open.").format(filled, left)
