@@ -8,13 +8,15 @@ from mocapmend.document import Document
 from mocapmend.doubts import BY_HAND
 from mocapmend.fixing import is_fixable
 from mocapmend.ranking import Status
+from mocapmend.relabelling import LEFT_OVER
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.problems.registry import DETECTORS
 
-KINDS = (*DETECTORS, BY_HAND)
-"""Of bad runs: the ids of the detectors, and what the user has set aside without one."""
+LABELS = LEFT_OVER.problem
+KINDS = (*DETECTORS, LABELS, BY_HAND)
+"""Of bad runs: the ids of the detectors, what labelling and the user set aside without one."""
 MOST_KEPT = 40
 """States of a recording of which it is remembered what was found: for undoing and redoing."""
 

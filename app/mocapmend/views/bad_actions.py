@@ -279,4 +279,4 @@ class BadActions(QObject):
         names = self._document.names
         if len(markers) > 2:
             return f"{len(markers)} markers"
-        return " and ".join(names[marker] for marker in markers)
+        return ", ".join(names[marker] for marker in markers)

@@ -5,7 +5,7 @@ from collections.abc import Collection
 from PySide6.QtWidgets import QCheckBox
 
 from mocapmend.settings import FIX_FIRST, Settings
-from mocapmend.views.suspect_texts import detector_text
+from mocapmend.views.suspect_texts import kinds_text
 from mocapmend_algorithms.problems.registry import DETECTORS
 
 
@@ -35,7 +35,7 @@ class FixFirst(QCheckBox):
         self._settings.set(FIX_FIRST, on)
 
     def _explain(self) -> None:
-        named = ", ".join(map(detector_text, self._kinds))
+        named = ", ".join(map(kinds_text, self._kinds))
         self.setToolTip(
             self.tr("Before all gaps are filled, set aside or exchange: {0}").format(named)
         )

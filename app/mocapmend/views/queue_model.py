@@ -16,9 +16,10 @@ from mocapmend.suspects import Suspects
 from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
 from mocapmend.views.suspect_texts import (
-    detector_text,
     kind_text,
+    kinds_text,
     markers_text,
+    reason_text,
     score_text,
 )
 from mocapmend.views.tables import LEFT, RIGHT, frames_text
@@ -142,6 +143,11 @@ class QueueModel(QAbstractTableModel):
     def gaps(self) -> list[Gap]:
         """Where the problems that are listed are, in their order."""
         return [self._list.gaps[place] for place in self._rows.tolist()]
+
+    @property
+    def total(self) -> int:
+        """How many problems there are, listed or not."""
+        return len(self._list.gaps)
 
     @property
     def by_time(self) -> bool:
@@ -334,23 +340,23 @@ class QueueModel(QAbstractTableModel):
         return text.format(max(0, others))
 
     def _tip(self, problem: Problem) -> str:
-        gap, best = problem.gap, problem.best
+        gap, best, bad = problem.gap, problem.best, problem.bad
         first = self._document.original.first_frame + gap.start
         last = first + gap.length - 1
-        labels = self._document.original.labels
+        labels = self._document.labels
         lines = [
             self.tr("{0}, frames {1} to {2}: {3}").format(
-                labels[gap.marker] if problem.bad is None else markers_text(problem.bad, labels),
+                labels[gap.marker] if bad is None else markers_text(bad, labels),
                 first,
                 last,
                 self.status_text(problem.status),
             )
         ]
-        if problem.bad is not None:
-            about = (detector_text(problem.bad.kind), score_text(problem.bad))
+        if bad is not None:
+            about = (kinds_text(bad.kind), score_text(bad))
             lines.append(", ".join(filter(None, about)))
         if problem.reason:
-            lines.append(shown(problem.reason))
+            lines.append(shown(problem.reason) if bad is None else reason_text(bad))
         if best is not None:
             lines.append(method_name(best.method))
         elif problem.tried and problem.status < Status.REPAIRED:

@@ -28,7 +28,7 @@ from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.queue_model import TO_DO, Filter, QueueModel
 from mocapmend.views.queue_table import QueueTable
 from mocapmend.views.survey import Survey
-from mocapmend.views.suspect_texts import detector_text
+from mocapmend.views.suspect_texts import help_text, kinds_text
 from mocapmend.viewstate import ViewState
 
 DELAY_MS = 60
@@ -42,6 +42,7 @@ class _Choice(NamedTuple):
 
     text: str
     value: object
+    tip: str = ""
 
 
 class QueuePane(QWidget):
@@ -184,7 +185,7 @@ class QueuePane(QWidget):
             _Choice(self.tr("All kinds"), ALL_KINDS),
             _Choice(self.tr("Gaps"), (GAP,)),
             _Choice(self.tr("Bad samples"), KINDS),
-            *(_Choice(detector_text(kind), (kind,)) for kind in KINDS),
+            *(_Choice(kinds_text(kind), (kind,), help_text(kind)) for kind in KINDS),
         )
 
     def _lengths(self) -> tuple[_Choice, ...]:
@@ -197,8 +198,9 @@ class QueuePane(QWidget):
 
     def _make_combo(self, name: str, choices: tuple[_Choice, ...]) -> QComboBox:
         combo = QComboBox()
-        for choice in choices:
+        for row, choice in enumerate(choices):
             combo.addItem(choice.text, choice.value)
+            combo.setItemData(row, choice.tip, Qt.ItemDataRole.ToolTipRole)
         combo.setAccessibleName(name)
         combo.setToolTip(name)
         combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
@@ -272,12 +274,12 @@ class QueuePane(QWidget):
 
     def _show(self) -> None:
         self._pages.setCurrentWidget(self.table if self.model.rowCount() else self._empty)
-        narrowed = self._document.gaps or self._document.repairs or self._document.never
-        self._empty.setText(
-            self.tr("No problem passes the filter.")
-            if narrowed or self._search.suspects.listed()
-            else self.tr("No marker is missing anywhere: there is nothing to fill.")
-        )
+        if not self.model.rowCount():
+            self._empty.setText(
+                self.tr("No problem passes the filter.")
+                if self.model.total
+                else self.tr("No marker is missing anywhere: there is nothing to fill.")
+            )
         self.table.show_kinds(shown=self.model.has_bad)
         self._show_said()
         self._follow()

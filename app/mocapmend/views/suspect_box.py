@@ -10,8 +10,12 @@ from mocapmend.document import Document
 from mocapmend.fixing import is_fixable
 from mocapmend.suspects import Suspects, place_of
 from mocapmend.views.action_button import ActionButton
-from mocapmend.views.engine_texts import shown
-from mocapmend.views.suspect_texts import deviation_text, score_text, title_text
+from mocapmend.views.suspect_texts import (
+    deviation_text,
+    reason_text,
+    score_text,
+    title_text,
+)
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.problems.registry import DETECTORS
@@ -72,7 +76,7 @@ class SuspectBox(QGroupBox):
             ", ".join(filter(None, (score_text(run), deviation_text(run, self._document.original))))
         ]
         if run.reason:
-            lines.append(escape(shown(run.reason)))
+            lines.append(escape(reason_text(run)))
         lines.append(self._outlook(run, fixed=fixed, dismissed=dismissed))
         self._about.setText("<br>".join(lines))
         self.fix.set_possible(possible=not fixed and is_fixable(run))

@@ -7,12 +7,16 @@ from PySide6.QtCore import QCoreApplication
 
 from mocapmend.doubts import BY_HAND
 from mocapmend.problem_list import GAP
+from mocapmend.suspects import LABELS
 from mocapmend.translate import QT_TRANSLATE_NOOP
+from mocapmend.views.engine_texts import detector_name, detector_text, shown
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.problems.registry import DETECTORS
 
 translate = QCoreApplication.translate
+REST = "; the rest is explained otherwise."
+"""What follows the reason of a run of which a part belongs to another one."""
 
 _KINDS = {
     GAP: QT_TRANSLATE_NOOP("Suspects", "Gap"),
@@ -24,6 +28,7 @@ _KINDS = {
     "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Bone"),
     "far": QT_TRANSLATE_NOOP("Suspects", "Far"),
     "reflections": QT_TRANSLATE_NOOP("Suspects", "Double"),
+    LABELS: QT_TRANSLATE_NOOP("Suspects", "Label"),
     BY_HAND: QT_TRANSLATE_NOOP("Suspects", "By hand"),
 }
 """What one of them is called where there is little room."""
@@ -38,6 +43,7 @@ _NAMES = {
     "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Broken bone"),
     "far": QT_TRANSLATE_NOOP("Suspects", "Far from the body"),
     "reflections": QT_TRANSLATE_NOOP("Suspects", "Coinciding points"),
+    LABELS: QT_TRANSLATE_NOOP("Suspects", "Of no label"),
     BY_HAND: QT_TRANSLATE_NOOP("Suspects", "Set aside by hand"),
 }
 """What one of them is called where there is room."""
@@ -49,10 +55,22 @@ def kind_text(kind: str) -> str:
     return kind if known is None else translate("Suspects", known)
 
 
-def detector_text(kind: str) -> str:
+def kinds_text(kind: str) -> str:
     """Return what the bad runs of a kind are called together, in whole words."""
-    known = DETECTORS.get(kind)
-    return kind_text(kind) if known is None else translate("Detectors", known.label)
+    return detector_name(kind) if kind in DETECTORS else kind_text(kind)
+
+
+def help_text(kind: str) -> str:
+    """Return what the bad runs of a kind are; empty where there is no more to say."""
+    return detector_text(DETECTORS[kind].help) if kind in DETECTORS else ""
+
+
+def reason_text(run: BadRun) -> str:
+    """Return why a run is held for bad."""
+    whole = run.reason.removesuffix(REST)
+    if whole == run.reason:
+        return shown(run.reason)
+    return shown(f"{whole}.") + " " + translate("Suspects", "The rest is explained otherwise.")
 
 
 def markers_text(run: BadRun, names: Sequence[str]) -> str:

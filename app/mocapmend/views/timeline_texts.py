@@ -6,9 +6,8 @@ from PySide6.QtCore import QCoreApplication
 from mocapmend.document import Document
 from mocapmend.files import Event
 from mocapmend.state import OPEN
-from mocapmend.views.engine_texts import shown
 from mocapmend.views.event_lane import name_of, whole_frame
-from mocapmend.views.suspect_texts import score_text, title_text
+from mocapmend.views.suspect_texts import reason_text, score_text, title_text
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.problems import BadRun
@@ -35,8 +34,8 @@ def suspect_tip(document: Document, run: BadRun) -> str:
     original = document.original
     first, last = run.start + original.first_frame, run.stop - 1 + original.first_frame
     text = translate("TimelineTexts", "{0}, frames {1} to {2}")
-    text = text.format(title_text(run, original.labels), first, last)
-    return "\n".join(filter(None, (text, score_text(run), shown(run.reason))))
+    text = text.format(title_text(run, document.labels), first, last)
+    return "\n".join(filter(None, (text, score_text(run), reason_text(run))))
 
 
 def event_tip(document: Document, event: Event) -> str:
