@@ -27,7 +27,11 @@ FOUND = (
     ),
     QT_TRANSLATE_NOOP(
         "Sentences",
-        "For {0} {1} and {2}, {3} mm apart, each continue the other's trajectory.",
+        "For 1 frame {0} and {1}, {2} mm apart, each continue the other's trajectory.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "For {0} frames {1} and {2}, {3} mm apart, each continue the other's trajectory.",
     ),
     QT_TRANSLATE_NOOP(
         "Sentences",
