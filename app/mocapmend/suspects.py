@@ -4,11 +4,14 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from mocapmend.document import Document
 from mocapmend.doubts import BY_HAND
 from mocapmend.fixing import is_fixable
 from mocapmend.ranking import Status
 from mocapmend.relabelling import LEFT_OVER
+from mocapmend.state import OPEN, SampleState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.problems import BadRun
@@ -156,6 +159,25 @@ class Suspects:
         runs = (Gap(marker, move.start, move.stop) for marker in pair)
         known = (self._seen.get((kind, run)) for run in runs for kind in ("swaps", "fragments"))
         return next((run for run in known if run and {run.marker, run.other} == pair), None)
+
+
+def gap_to_be(document: Document, run: BadRun) -> Gap | None:
+    """Return the gap that bad samples are part of once they are set aside, or are already.
+
+    None where they are to be exchanged, or are filled.
+    """
+    if len(markers_of(run)) > 1:
+        return None
+    states = document.state[:, run.marker]
+    is_open = np.isin(states, OPEN)
+    inside = states[run.start : run.stop]
+    if not (is_open[run.start : run.stop] | (inside == SampleState.MEASURED)).all():
+        return None
+    before = np.flatnonzero(~is_open[: run.start])
+    after = np.flatnonzero(~is_open[run.stop :])
+    start = int(before[-1]) + 1 if len(before) else 0
+    stop = run.stop + int(after[0]) if len(after) else len(states)
+    return Gap(run.marker, start, stop)
 
 
 def by_marker(runs: Iterable[BadRun]) -> dict[int, list[BadRun]]:

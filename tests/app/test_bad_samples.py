@@ -14,12 +14,13 @@ from mocapmend.prospects import Way
 from mocapmend.ranking import Status
 from mocapmend.settings import RANKING, SEARCHING, Settings
 from mocapmend.state import SampleState
-from mocapmend.suspects import place_of
+from mocapmend.suspects import gap_to_be, place_of
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.queue_model import GLYPHS, Column
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.limits import Limits
+from mocapmend_algorithms.problems import BadRun
 
 Open = Callable[[Path], MainWindow]
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -325,6 +326,65 @@ class TestFix:
         qtbot.waitUntil(lambda: document.stale == [])
         assert HOLE in document.repairs
         at_rest(workspace, qtbot)
+
+
+class TestPreview:
+    def test_what_is_to_be_set_aside_is_shown_as_it_would_be_filled(
+        self, searched: MainWindow, qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        document, view = workspace.document, workspace.view
+        go_to(workspace, SPIKE)
+        qtbot.waitUntil(lambda: view.preview is not None and view.preview.patch is not None)
+        assert view.preview.gap == SPIKE
+        assert "expected error" in workspace.repair._suspect_box._about.text()
+        # Nearer to the trajectory than what is measured: the spike itself is not leaned on.
+        inside = document.points[SPIKE.start : SPIKE.stop, SPIKE.marker]
+        off = np.linalg.norm(view.preview.patch.values - inside, axis=1)
+        assert off == pytest.approx(LEAP, rel=0.1)
+        go_to(workspace, SWAP)
+        assert view.preview is None
+
+    def test_after_fixing_the_same_fill_can_be_applied(
+        self, searched: MainWindow, qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        document, view = workspace.document, workspace.view
+        go_to(workspace, SPIKE)
+        qtbot.keyClick(searched, Qt.Key.Key_Return)
+        choose(workspace, Status.FIXED)
+        go_to(workspace, SPIKE)
+        qtbot.waitUntil(lambda: view.preview is not None)
+        qtbot.keyClick(searched, Qt.Key.Key_Return)
+        assert SPIKE in document.repairs
+        assert SPIKE in document.doubts
+        at_rest(workspace, qtbot)
+
+    def test_a_ragged_end_becomes_one_gap_with_that_beside_it(self, searched: MainWindow) -> None:
+        document = workspace_of(searched).document
+        tail = BadRun("tails", HOLE.marker, HOLE.start - 3, HOLE.start, 0.9, 5.0, "It bends.")
+        assert gap_to_be(document, tail) == Gap(HOLE.marker, HOLE.start - 3, HOLE.stop)
+        both = BadRun("swaps", 1, 5, 9, 0.9, 5.0, "They swap.", other=2)
+        assert gap_to_be(document, both) is None
+
+
+class TestShown:
+    def test_the_marker_list_and_the_plots_tell_what_is_set_aside(
+        self, searched: MainWindow
+    ) -> None:
+        workspace = workspace_of(searched)
+        go_to(workspace, SPIKE)
+        workspace.bad_actions.fix()
+        model = workspace.markers._model
+        tip = model.index(SPIKE.marker, 0).data(Qt.ItemDataRole.ToolTipRole)
+        assert "2 samples set aside" in tip
+        workspace.view.select((SPIKE.marker,))
+        workspace.view.set_frame(SPIKE.start)
+        (curve,) = workspace.trajectories._curves()
+        assert workspace.trajectories._place_now(curve) == "set aside"
+        row = workspace.facts.edits()[0]
+        assert (row.markers, row.runs, row.cleared) == (1, 1, 2)
+        assert "RFWT" in workspace.history.row_text(1)
 
 
 class TestDismiss:

@@ -1,5 +1,6 @@
 """The current run of bad samples: what it is, how sure that is, and what can be done about it."""
 
+import math
 from html import escape
 
 from PySide6.QtCore import Qt
@@ -10,6 +11,7 @@ from mocapmend.document import Document
 from mocapmend.fixing import is_fixable
 from mocapmend.suspects import Suspects, place_of
 from mocapmend.views.action_button import ActionButton
+from mocapmend.views.engine_texts import method_name
 from mocapmend.views.suspect_texts import (
     deviation_text,
     reason_text,
@@ -61,6 +63,7 @@ class SuspectBox(QGroupBox):
         layout.addWidget(self._about)
         layout.addLayout(buttons)
         view.suspect_changed.connect(self.refresh)
+        view.preview_changed.connect(self.refresh)
         self.refresh()
 
     def refresh(self) -> None:
@@ -77,8 +80,8 @@ class SuspectBox(QGroupBox):
         ]
         if run.reason:
             lines.append(escape(reason_text(run)))
-        lines.append(self._outlook(run, fixed=fixed, dismissed=dismissed))
-        self._about.setText("<br>".join(lines))
+        lines += [self._outlook(run, fixed=fixed, dismissed=dismissed), self._fill_text()]
+        self._about.setText("<br>".join(filter(None, lines)))
         self.fix.set_possible(possible=not fixed and is_fixable(run))
         self.dismiss.set_possible(possible=not fixed)
         self.dismiss.setText(self.tr("A problem after all") if dismissed else self.tr("No problem"))
@@ -96,6 +99,18 @@ class SuspectBox(QGroupBox):
         if DETECTORS[run.kind].remedy == "exchange":
             return self.tr("<b>Fixing</b> exchanges the two: dashed lines show how it will be.")
         return self.tr("<b>Fixing</b> sets the samples aside: they become a gap, to be filled.")
+
+    def _fill_text(self) -> str:
+        """Say how well the gap could be filled that it becomes."""
+        preview = self._view.preview
+        if preview is None or preview.patch is None:
+            return ""
+        error = preview.expected_error * self._document.original.mm
+        name = escape(method_name(preview.method))
+        if math.isnan(error):
+            return self.tr("To be filled with {0}, as shown.").format(name)
+        text = self.tr("To be filled with {0}, as shown: expected error {1} mm.")
+        return text.format(name, f"{error:.1f}")
 
     def _frames_text(self, run: BadRun) -> str:
         original = self._document.original

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter
 from PySide6.QtWidgets import QWidget
 
 from mocapmend.document import Document
+from mocapmend.state import SampleState
 from mocapmend.suspects import by_marker, place_of
 from mocapmend.theme import Theme
 from mocapmend.views.gap_arrows import paint_plot_arrows
@@ -231,7 +232,8 @@ class Trajectories(PlotCanvas):
         """Write where a marker is at the playhead."""
         frame = self._view.frame
         if np.isnan(self._document.points[frame, curve.marker, 0]):
-            return self.tr("missing")
+            aside = self._document.state[frame, curve.marker] == SampleState.BAD
+            return self.tr("set aside") if aside else self.tr("missing")
         place = "  ".join(self._value(axis, curve, frame) for axis in POSITION)
         return f"{place} {self._document.original.unit}"
 

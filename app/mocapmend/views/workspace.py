@@ -294,7 +294,8 @@ class Workspace(PanedWindow):
 
     def apply(self, *, go_on: bool) -> None:
         """Make the previewed repair an edit, or fix the current problem; go on to the next."""
-        if self.view.suspect is not None:
+        run, suspects = self.view.suspect, self.search.suspects
+        if run is not None and (run in suspects.found or run in suspects.dismissed):
             self.bad_actions.fix()
         elif go_on:
             self.gap_actions.apply_and_go_on()
