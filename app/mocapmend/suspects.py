@@ -20,6 +20,8 @@ from mocapmend_algorithms.problems.registry import DETECTORS
 LABELS = LEFT_OVER.problem
 KINDS = (*DETECTORS, LABELS, BY_HAND)
 """Of bad runs: the ids of the detectors, what labelling and the user set aside without one."""
+_Of = tuple[str, int, int | None]
+"""Kind and markers."""
 MOST_KEPT = 40
 """States of a recording of which it is remembered what was found: for undoing and redoing."""
 
@@ -49,7 +51,7 @@ class Suspects:
         """By the revision of the document's base, the latest last."""
         self._left: Sequence[BadRun] = ()
         """What is kept while a search is due."""
-        self._dismissed: list[BadRun] = []
+        self._dismissed: dict[_Of, list[BadRun]] = {}
         self._seen: dict[tuple[str, Gap], BadRun] = {}
         self._now = document.base_revision
         self._exchanged: tuple[int, list[BadRun]] | None = None
@@ -103,15 +105,17 @@ class Suspects:
 
     def dismiss(self, run: BadRun) -> None:
         """Take note that a run is no problem."""
-        self._dismissed.append(run)
+        self._dismissed.setdefault(_of(run), []).append(run)
 
     def take_up(self, run: BadRun) -> None:
         """Hold a dismissed run for a problem again."""
-        self._dismissed = [other for other in self._dismissed if not _is_same(run, other)]
+        alike = self._dismissed.get(_of(run), [])
+        self._dismissed[_of(run)] = [other for other in alike if not _overlap(run, other)]
 
     def is_dismissed(self, run: BadRun) -> bool:
         """Say whether a run is what the user holds for no problem."""
-        return any(_is_same(run, other) for other in self._dismissed)
+        # Ends may differ by what else was corrected between two searches.
+        return any(_overlap(run, other) for other in self._dismissed.get(_of(run), ()))
 
     def listed(self) -> list[Suspect]:
         """Return all of them: found, fixed and dismissed ones, in no order that means anything."""
@@ -201,10 +205,12 @@ def place_of(run: BadRun) -> Gap:
     return Gap(run.marker, run.start, run.stop)
 
 
-def _is_same(run: BadRun, other: BadRun) -> bool:
-    """Say whether two searches have found the same: ends may differ by what else was corrected."""
-    same = (run.kind, run.marker, run.other) == (other.kind, other.marker, other.other)
-    return same and run.start < other.stop and other.start < run.stop
+def _of(run: BadRun) -> _Of:
+    return run.kind, run.marker, run.other
+
+
+def _overlap(run: BadRun, other: BadRun) -> bool:
+    return run.start < other.stop and other.start < run.stop
 
 
 def _meets(run: BadRun, touched: dict[int, list[Gap]]) -> bool:

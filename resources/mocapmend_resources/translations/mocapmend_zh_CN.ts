@@ -1360,6 +1360,10 @@
         <translation>{0}：{1} 个未填补的缺失段，最长 {2} 帧 ({3} ms)，已填补 {4} 个采样</translation>
     </message>
     <message>
+        <source>{0} samples set aside</source>
+        <translation>已搁置 {0} 个采样</translation>
+    </message>
+    <message>
         <source>Moves as one with {0}</source>
         <translation>与 {0} 作为整体运动</translation>
     </message>
@@ -5267,10 +5271,6 @@
         <translation>重新采用</translation>
     </message>
     <message>
-        <source>Fix all of this kind</source>
-        <translation>修正所有此类</translation>
-    </message>
-    <message>
         <source>◀ Previous</source>
         <translation>◀ 上一个</translation>
     </message>
@@ -5279,8 +5279,12 @@
         <translation>下一个 ▶</translation>
     </message>
     <message>
-        <source>Fix all problems</source>
-        <translation>修正所有问题</translation>
+        <source>Fix this kind</source>
+        <translation>修正此类</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>全部修正</translation>
     </message>
     <message>
         <source>A problem after all</source>
@@ -5305,6 +5309,14 @@
     <message>
         <source>&lt;b&gt;Fixing&lt;/b&gt; sets the samples aside: they become a gap, to be filled.</source>
         <translation>&lt;b&gt;修正&lt;/b&gt;将搁置这些采样：它们成为有待填补的缺失段。</translation>
+    </message>
+    <message>
+        <source>To be filled with {0}, as shown.</source>
+        <translation>将如图用“{0}”填补。</translation>
+    </message>
+    <message>
+        <source>To be filled with {0}, as shown: expected error {1} mm.</source>
+        <translation>将如图用“{0}”填补：预期误差 {1} mm。</translation>
     </message>
     <message>
         <source>frame {0} ({1} ms)</source>
@@ -5636,6 +5648,10 @@
     <message>
         <source>missing</source>
         <translation>缺失</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>已搁置</translation>
     </message>
     <message>
         <source>Frame {0} · {1} s</source>
