@@ -159,8 +159,6 @@ CHECKED = (
     QT_TRANSLATE_NOOP("Sentences", "Choose shorter labels, or save it as another format."),
     QT_TRANSLATE_NOOP("Sentences", "This cannot be smoothed: {0}."),
     QT_TRANSLATE_NOOP("Sentences", "Choose other parameters, or another method."),
-    QT_TRANSLATE_NOOP("Sentences", "No labels can be learned: {0}."),
-    QT_TRANSLATE_NOOP("Sentences", "Choose recordings whose markers are labelled."),
 )
 """What files and their checks say of corrections."""
 
