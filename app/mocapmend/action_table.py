@@ -185,7 +185,10 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "fix_all", "Problems", QT_TRANSLATE_NOOP("Actions", "Fix all problems"), ("Ctrl+H",)
     ),
     ActionSpec(
-        "dismiss_problem", "Problems", QT_TRANSLATE_NOOP("Actions", "This is no problem"), ("J",)
+        "dismiss_problem",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "This is no problem"),
+        ("Shift+D",),
     ),
     ActionSpec(
         "set_aside",

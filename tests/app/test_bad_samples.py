@@ -393,7 +393,7 @@ class TestDismiss:
     ) -> None:
         workspace = workspace_of(searched)
         go_to(workspace, SPIKE)
-        qtbot.keyClick(searched, Qt.Key.Key_J)
+        qtbot.keyClick(searched, Qt.Key.Key_D, SHIFT)
         workspace.queue._catch_up()
         assert SPIKE not in workspace.queue.model.gaps
         assert workspace.document.undo_stack.count() == 0
@@ -401,7 +401,7 @@ class TestDismiss:
         assert workspace.queue.model.gaps == [SPIKE]
         go_to(workspace, SPIKE)
         assert "no problem" in workspace.repair._suspect_box._about.text()
-        qtbot.keyClick(searched, Qt.Key.Key_J)
+        qtbot.keyClick(searched, Qt.Key.Key_D, SHIFT)
         workspace.queue._catch_up()
         assert workspace.queue.model.gaps == []
         choose(workspace, Status.FOUND)

@@ -64,6 +64,7 @@ class SuspectBox(QGroupBox):
         layout.addLayout(buttons)
         view.suspect_changed.connect(self.refresh)
         view.preview_changed.connect(self.refresh)
+        document.names_changed.connect(self.refresh)
         self.refresh()
 
     def refresh(self) -> None:

@@ -16,14 +16,13 @@ from mocapmend.edits import Edit
 from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
-from mocapmend.navigation import place_to_begin
 from mocapmend.prospects import Prospects
-from mocapmend.ranking import Problem
 from mocapmend.settings import RANKING, SEARCHING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.bad_actions import BadActions
 from mocapmend.views.bad_search import BadSearch
+from mocapmend.views.beginning import Beginning
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
@@ -137,7 +136,6 @@ class Workspace(PanedWindow):
             self.view.span_changed.connect(self.analog.plots.set_span)
         self.history = HistoryPane(document.undo_stack)
         self._themed = (self.scene, self.plots, self.timeline, self.markers, self.report)
-        self._first: Gap | None = None
         self._refill_due = False
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
@@ -148,9 +146,7 @@ class Workspace(PanedWindow):
         self.filling.started.connect(self._show_filling)
         self.filling.ended.connect(self._show_filling)
         self.filling.done.connect(self._show_done)
-        self.survey.advanced.connect(self._lead)
         self.search.changed.connect(self._show_suspects)
-        self.search.changed.connect(self._lead_to_bad)
         self._preview()
         document.left_open_changed.connect(self.report.refresh)
         document.undo_stack.indexChanged.connect(self._forget_outcome)
@@ -167,7 +163,7 @@ class Workspace(PanedWindow):
         self.bad_actions.message.connect(self.message)
         self.filling.message.connect(self.message)
         self._show_proof()
-        self._show_first_gap()
+        self._beginning = Beginning(document, self.view, self.queue, self.survey, self.search, self)
         # What goes on in the background must not hold up the first picture.
         self._paint_timer = QTimer(self)
         self._paint_timer.setSingleShot(True)
@@ -356,15 +352,6 @@ class Workspace(PanedWindow):
     def _preview(self) -> None:
         self.previewer.choose(self.repair.method(), self.repair.compared())
 
-    def _lead(self) -> None:
-        """Begin at the worst problem that is known, unless the user has begun already."""
-        untouched = self.view.gap == self._first and not self.document.undo_stack.count()
-        if self.survey.portions != 1 or not untouched:
-            return
-        worst = self.queue.worst()
-        if worst is not None:
-            self._show_problem(worst)
-
     def _show_suspects(self) -> None:
         found = self.search.suspects.found
         self.timeline.set_suspects(found)
@@ -372,40 +359,9 @@ class Workspace(PanedWindow):
         self.scene.set_suspects(found)
         self.repair.show_problem()
 
-    def _lead_to_bad(self) -> None:
-        """Begin at the worst of the bad samples where there is no gap to begin at."""
-        view, worst = self.view, self.queue.worst()
-        begun = view.gap is not None or view.suspect is not None or view.selection != (0,)
-        begun = begun or self._first is not None or bool(self.document.undo_stack.count())
-        if worst is not None and not begun:
-            self._show_problem(worst)
-
-    def _show_problem(self, problem: Problem) -> None:
-        if problem.bad is None:
-            self._show_gap(problem.gap)
-            return
-        self.view.select((problem.gap.marker,))
-        self.view.set_suspect(problem.bad)
-        self.view.set_frame((problem.gap.start + problem.gap.stop - 1) // 2)
-
     def _look_at_journal(self) -> None:
         if self.recorder.poll():
             self._journal_timer.stop()
-
-    def _show_first_gap(self) -> None:
-        """Begin at a gap, with the whole recording in view."""
-        original = self.document.original
-        self._first = place_to_begin(original, self.document.fillable_corners)
-        if self._first is not None:
-            self._show_gap(self._first)
-        elif original.markers:
-            self.view.select((0,))
-
-    def _show_gap(self, gap: Gap) -> None:
-        """Show a gap with the whole recording around it."""
-        self.view.select((gap.marker,))
-        self.view.set_gap(gap)
-        self.view.set_frame((gap.start + gap.stop - 1) // 2)
 
     def saved_as(self, exported: engine.Exported, *, complete: bool) -> None:
         """Take note that a file now holds the edits: all of them, or those of a while ago."""
