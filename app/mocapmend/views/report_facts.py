@@ -70,14 +70,15 @@ class ReportFacts:
     def _edit(self, index: int) -> EditRow:
         command = self._document.undo_stack.command(index)
         assert isinstance(command, EditSamples)
-        edits = command.edits
+        corrected = () if command.correction is None else command.correction.runs
+        runs = {*(edit.gap for edit in command.edits), *corrected}
         # What is smoothed keeps its fills.
-        filled = [edit.states for edit in edits if edit.repair and edit.smoothed is None]
-        states = np.concatenate([np.empty(0, np.uint8), *filled])
+        fills = (edit for edit in command.edits if edit.repair and edit.smoothed is None)
+        filled = (np.count_nonzero(edit.states == SampleState.FILLED) for edit in fills)
         return EditRow(
             text=command.text(),
-            markers=len({edit.gap.marker for edit in edits}),
-            runs=len(edits),
-            filled=int(np.count_nonzero(states == SampleState.FILLED)),
+            markers=len({run.marker for run in runs}),
+            runs=len(runs),
+            filled=int(sum(filled)),
             cleared=command.cleared,
         )

@@ -1,4 +1,4 @@
-"""Smoothing methods and what is said about smoothing and other corrections, for Qt Linguist."""
+"""Smoothing methods and what is said about smoothing, for Qt Linguist."""
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
@@ -106,10 +106,6 @@ SMOOTHING = (
     QT_TRANSLATE_NOOP("Sentences", "replay the smoothing of {0}"),
     QT_TRANSLATE_NOOP("Sentences", "There are no samples."),
     QT_TRANSLATE_NOOP("Sentences", "Only {0} on end: this needs at least {1}."),
-    QT_TRANSLATE_NOOP("Sentences", "1 sample"),
-    QT_TRANSLATE_NOOP("Sentences", "{0} samples"),
-    QT_TRANSLATE_NOOP("Sentences", "This cannot be smoothed: {0}."),
-    QT_TRANSLATE_NOOP("Sentences", "Choose other parameters, or another method."),
     QT_TRANSLATE_NOOP("Sentences", "order must be an even number from 2, not {0}"),
     QT_TRANSLATE_NOOP(
         "Sentences",
@@ -130,56 +126,4 @@ SMOOTHING = (
         "window_ms must be at least {0} ms at {1} Hz: order {2} needs {3} frames, and {4} ms "
         "are {5}",
     ),
-)
-
-CORRECTIONS = (
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} measured sample were smoothed; the repair record lists them.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} measured samples were smoothed; the repair record lists them.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} measured sample were set aside, or are no longer; the repair record lists them.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} measured samples were set aside, or are no longer; the repair record lists them.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} sample changed places between markers; the repair record lists them.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} samples changed places between markers; the repair record lists them.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} of {1} smoothed runs of the repair record are not in the file any more; their "
-        "samples are taken as they are.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} of {1} exchanged runs of the repair record are not in the file any more; their "
-        "samples are taken as they are.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} of {1} runs that the repair record sets aside are not in the file any more; "
-        "their samples are taken as they are.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{0} of {1} new names of the repair record are not in the file any more.",
-    ),
-    QT_TRANSLATE_NOOP(
-        "Sentences",
-        "Marker {0}: {1} set aside were not measured as the repair record says, the first at "
-        "frame {2}.",
-    ),
-    QT_TRANSLATE_NOOP("Sentences", "The repair record lists exchanges that contradict each other."),
 )
