@@ -404,6 +404,30 @@ def test_a_recipe_smooths_again_as_the_command_does(
     assert document.repairs
 
 
+def test_a_recipe_with_corrections_smooths_at_last(
+    open_in: Open, spoilt_walk: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    recipe, out = tmp_path / "recipe.json", tmp_path / "out.c3d"
+    arguments = ["repair", str(spoilt_walk), "-o", str(out), "--method", "linear"]
+    arguments += ["--max-gap", "40", "--fix", "spikes,swaps", "--smooth", "savgol"]
+    assert main([*arguments, "--recipe", str(recipe)]) == 0
+    window = open_in(spoilt_walk)
+    document = workspace_of(window).document
+    window.proofs.replay(recipe)
+    qtbot.waitUntil(lambda: bool(document.smoothed))
+    assert document.doubts
+    assert document.repairs
+    wanted = read_c3d(out).recording.points
+    np.testing.assert_allclose(document.points, wanted, atol=1e-3)
+    pane = workspace_of(window).report
+    qtbot.waitUntil(lambda: pane.report is not None)
+    assert pane.report is not None
+    paragraph = describe(pane.report, workspace_of(window).facts.about()).paragraph
+    assert "by the detector “spikes”" in paragraph
+    assert "100 samples of 2 markers were exchanged" in paragraph
+    assert "41 markers were smoothed" in paragraph
+
+
 # --- the scope -----------------------------------------------------------------------------------
 
 
