@@ -8,7 +8,7 @@ import pytest
 from mocapmend import report
 from mocapmend.cli import main
 from mocapmend.doubts import BY_HAND, Doubt
-from mocapmend.report import About, SmoothRow, describe, put_right
+from mocapmend.report import About, RepairRow, SmoothRow, describe, put_right
 from mocapmend.report.content import contents
 from mocapmend.report.sources import SMOOTHING
 from mocapmend.report.tables import Table
@@ -140,6 +140,18 @@ def test_sections_and_facts() -> None:
     ]
     plain = contents(figures(), About("w.c3d"))
     assert {"bad", "smoothing"}.isdisjoint(section.anchor for section in plain.sections)
+
+
+def test_samples_that_were_set_aside_and_filled_count_as_repaired() -> None:
+    points = np.zeros((50, 1, 3))
+    after = points.copy()
+    after[3:7] = 1.0
+    one, other = (Recording(values, ("A",), 100.0) for values in (points, after))
+    rows = [RepairRow(Gap(0, 3, 7), "linear", 0.5)]
+    made = report.summarise(one, other, NO_BONES, rows, [], no_progress)
+    done = put_right({Gap(0, 3, 7): Doubt("spikes", "It jumps.")}, [], [])
+    facts = dict(contents(made, About("w.c3d", put_right=done)).head[0].rows)
+    assert facts["Repaired"] == "1 gap, 4 samples"
 
 
 @pytest.mark.parametrize("ending", ["html", "pdf"])

@@ -117,7 +117,11 @@ def _facts(report: Report, about: About) -> Iterator[tuple[str, str]]:
     yield "Method", ", ".join(about.methods) or "none"
     if about.limits:
         yield "Limits", about.limits
-    filled = sum(row.filled for row in report.markers)
+    # What was set aside and then filled was not missing before; what is filled without a record is
+    # in no list.
+    filled = max(
+        sum(row.filled for row in report.markers), sum(row.gap.length for row in report.repairs)
+    )
     earlier = (
         f" ({about.earlier} of the gaps had been repaired in the file before)"
         if about.earlier
