@@ -649,6 +649,10 @@
         <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
     </message>
     <message>
+        <source>Bad samples are not known yet: look for them first (Ctrl+F).</source>
+        <translation>尚不知道坏采样：请先查找 (Ctrl+F)。</translation>
+    </message>
+    <message>
         <source>There is nothing that could be fixed.</source>
         <translation>没有可以修正的问题。</translation>
     </message>
