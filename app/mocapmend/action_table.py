@@ -7,8 +7,18 @@ from PySide6.QtGui import QKeySequence
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
-Menu = Literal["File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help"]
-MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help")
+Menu = Literal["File", "Edit", "Gaps", "Problems", "Repair", "Play", "View", "Plots", "Help"]
+MENUS: tuple[Menu, ...] = (
+    "File",
+    "Edit",
+    "Gaps",
+    "Problems",
+    "Repair",
+    "Play",
+    "View",
+    "Plots",
+    "Help",
+)
 
 
 @dataclass(frozen=True)
@@ -151,6 +161,53 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Gaps",
         QT_TRANSLATE_NOOP("Actions", "Give a frame back at both edges"),
         ("Shift+W",),
+    ),
+    ActionSpec(
+        "search_bad",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Look for bad samples"),
+        ("Ctrl+F",),
+    ),
+    ActionSpec(
+        "fix_problem",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Fix this problem"),
+        ("H",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "fix_kind",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Fix all problems of this kind"),
+        ("Shift+H",),
+    ),
+    ActionSpec(
+        "fix_all", "Problems", QT_TRANSLATE_NOOP("Actions", "Fix all problems"), ("Ctrl+H",)
+    ),
+    ActionSpec(
+        "dismiss_problem",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "This is no problem"),
+        ("Shift+D",),
+    ),
+    ActionSpec(
+        "set_aside",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Set the selected samples aside"),
+        ("U",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "believe",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Believe samples that were set aside"),
+        ("Shift+U",),
+    ),
+    ActionSpec(
+        "exchange",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Exchange the two selected markers"),
+        ("Ctrl+E",),
     ),
     ActionSpec(
         "apply",

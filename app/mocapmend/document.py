@@ -251,6 +251,11 @@ class Document(QObject):
         return self._believed.doubts
 
     @property
+    def doubted(self) -> NDArray[np.bool_]:
+        """Which samples are set aside, shape (frames, markers); not to be changed."""
+        return self._believed.doubted
+
+    @property
     def layers(self) -> Layers:
         """A snapshot of what was exchanged and set aside."""
         return self._believed.layers

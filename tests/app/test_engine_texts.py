@@ -18,6 +18,7 @@ from mocapmend.bench.seeds import all_seeds
 from mocapmend.engine import Changes, export, load
 from mocapmend.errors import MocapmendError
 from mocapmend.files import check_files, read_recording
+from mocapmend.views.catalogue.detectors import DETECTORS as DETECTOR_TEXTS
 from mocapmend.views.catalogue.methods import METHODS as METHOD_TEXTS
 from mocapmend.views.catalogue.qt import QT
 from mocapmend.views.catalogue.segments import SEGMENTS
@@ -29,9 +30,12 @@ from mocapmend.views.engine_texts import (
     segment_name,
     shown,
 )
+from mocapmend.views.suspect_texts import REST
 from mocapmend_algorithms import Gap, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS
+from mocapmend_algorithms.problems import detect
+from mocapmend_algorithms.problems.registry import DETECTORS
 from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 from mocapmend_resources.skeletons import load as templates
 
@@ -49,6 +53,9 @@ SPOKEN = (
 )
 """Modules whose sentences reach the window."""
 COMPOSED = {
+    "7 measured sample7 7; the repair record lists them.",
+    "7 of 7 7 are not in the file any more7.",
+    "7 sample7 changed places between markers; the repair record lists them.",
     "7 in 7.",
     "Marker 7: 77, the first at frame 7.",
     "Samples 7 are taken as missing: 7.",
@@ -106,6 +113,12 @@ def test_catalogue_of_methods_is_what_the_table_has() -> None:
                 wanted += get_args(hint) if get_origin(hint) is Literal else []
     assert set(METHOD_TEXTS) == set(wanted)
     assert Counter(METHOD_TEXTS).most_common(1)[0][1] == 1
+
+
+def test_catalogue_of_detectors_is_what_the_table_has() -> None:
+    wanted = [text for each in DETECTORS.values() for text in (each.label, each.help)]
+    assert set(DETECTOR_TEXTS) == set(wanted)
+    assert Counter(DETECTOR_TEXTS).most_common(1)[0][1] == 1
 
 
 def test_catalogue_lists_each_sentence_once_with_numbered_places() -> None:
@@ -173,6 +186,22 @@ def test_reasons_on_real_gaps_are_in_the_catalogue(samples: Path) -> None:
     said = reasons(recording, [*gaps[:8], *gaps[-4:]], quick=True)
     assert unlisted(said) == set()
     assert len({find(reason) for reason in said}) > 5
+
+
+def test_reasons_of_bad_samples_are_in_the_catalogue(samples: Path, spoilt_walk: Path) -> None:
+    said = set()
+    for path in (spoilt_walk, *sorted(samples.glob("*.c3d"))):
+        source, skeleton = load(path, no_progress)
+        recording = source.measured
+        points = recording.points.copy()
+        # Frozen for a while, twice in one place, far away.
+        points[150:158, 12] = points[150, 12]
+        points[40:60, 14] = points[40:60, 15] + 0.1 / recording.mm
+        points[60:62, 13] += 9000.0 / recording.mm
+        found = detect(recording.with_points(points), skeleton, None, no_progress)
+        said |= {run.reason.removesuffix(REST).removesuffix(".") + "." for run in found}
+    assert unlisted(said) == set()
+    assert len({find(reason) for reason in said}) > 6
 
 
 def moving(frames: int, markers: int) -> np.ndarray:
@@ -273,6 +302,11 @@ class TestInChinese:
         assert shown("fill LTIO (auto)") == "填补 LTIO (自动)"
         assert shown("fill linear (cubic)") == "填补 linear (三次样条)", "a marker of that name"
         assert shown("fill 3 gaps (auto)") == "填补 3 个缺失段 (自动)"
+        assert shown("fix RELB, LWRA (swaps)") == "修正 RELB, LWRA (标签互换)"
+        assert shown("fix 3 problems (spikes)") == "修正 3 个问题 (尖峰)"
+        assert shown("set 7 samples of 3 markers aside") == "搁置 3 个标记点 的 7 个采样"
+        reason = "For 2 frames A and B, 600 mm apart, each continue the other's trajectory."
+        assert "2 帧" in shown(reason)
         assert shown("This is not a plan: it is too large.") == "这不是计划：它太大。"
 
     def test_lists_are_translated_one_by_one(self) -> None:

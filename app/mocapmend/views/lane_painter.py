@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import AXIS_COLOURS, Theme
+from mocapmend.views.bad_painter import BadPainter
 from mocapmend.views.columns import Floats, column_edges, columns_with
 from mocapmend.views.lane import (
     Frame,
@@ -25,6 +26,7 @@ from mocapmend.views.lane import (
 )
 from mocapmend.views.quantities import Curve, Quantity, Series
 from mocapmend.viewstate import Preview
+from mocapmend_algorithms.problems import BadRun
 
 FILL_OVERLAY_FRAMES = 20_000
 """Above this many visible frames the fills are told by their shade alone."""
@@ -68,6 +70,7 @@ class LanePainter:
         self.series = Series(document)
         self._document = document
         self._strips: dict[tuple[int, ...], NDArray[np.uint32]] = {}
+        self.bad = BadPainter(document, self.series)
 
     def title(self, lane: Lane) -> str:
         """Return what a plot is called, with the unit where it is not that of the recording."""
@@ -93,15 +96,17 @@ class LanePainter:
         preview: Preview | None,
         others: Candidates = (),
         *,
+        suspect: BadRun | None = None,
         same_scale: bool = False,
     ) -> list[Frame]:
         """Paint lanes and return the frames that they were painted in.
 
-        Other candidates are drawn behind the preview, each with its number, as far as they fit.
+        Other candidates are drawn behind the preview, each with its number, as far as they fit. Of
+        a suspect that is to be exchanged it is drawn how it would be; set aside, it is in view.
         With the same scale for x, y and z their units are equally high in all lanes.
         """
         self._strips.clear()
-        spans = [self._span(lane, rect, visible, preview) for lane, rect in lanes]
+        spans = [self._span(lane, rect, visible, preview, suspect) for lane, rect in lanes]
         if same_scale:
             places = [i for i, (lane, _) in enumerate(lanes) if lane.quantity.kind == "position"]
             half = max((spans[i][1] - spans[i][0] for i in places), default=0.0) / 2
@@ -112,17 +117,24 @@ class LanePainter:
         for (lane, rect), span in zip(lanes, spans, strict=True):
             frame = Frame(rect, *visible, *span)
             frames.append(frame)
-            self._paint_lane(painter, frame, lane, preview, others)
+            self._paint_lane(painter, frame, lane, preview, others, suspect)
         return frames
 
     def _span(
-        self, lane: Lane, rect: QRectF, visible: tuple[float, float], preview: Preview | None
+        self,
+        lane: Lane,
+        rect: QRectF,
+        visible: tuple[float, float],
+        preview: Preview | None,
+        suspect: BadRun | None,
     ) -> tuple[float, float]:
         """Return the values that a lane has to show."""
         width = int(rect.width())
         values = [self.series.line(lane.quantity, c, visible, width)[1] for c in lane.curves]
         frames, inside = self._preview_line(preview, lane)
         values.append(inside[(frames >= visible[0]) & (frames <= visible[1])])
+        if suspect is not None:
+            values += self.bad.stored(lane.quantity, lane.curves, suspect)
         return value_range(values)
 
     def _paint_lane(
@@ -132,6 +144,7 @@ class LanePainter:
         lane: Lane,
         preview: Preview | None,
         others: Candidates,
+        suspect: BadRun | None,
     ) -> None:
         rect, quantity = frame.rect, lane.quantity
         message = self._message(lane)
@@ -149,6 +162,9 @@ class LanePainter:
             pen = thin(painter, mixed(self.theme.base, curve.colour, share))
             paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
             self._paint_fills(painter, frame, quantity, curve)
+            self.bad.paint(painter, frame, quantity, curve, self.theme)
+        if suspect is not None:
+            self.bad.paint_exchange(painter, frame, quantity, lane.curves, suspect)
         for number, other in others:
             self._paint_candidate(painter, frame, lane, number, other)
         self._paint_preview(painter, frame, lane, preview)
@@ -194,6 +210,7 @@ class LanePainter:
         for state, shade in (
             (SampleState.FILLED, self.theme.fill_shade),
             (SampleState.NEVER, gap_shade),
+            (SampleState.BAD, gap_shade),
             (SampleState.MISSING, gap_shade),
         ):
             for marker in markers:

@@ -115,6 +115,8 @@ class MarkerModel(QAbstractTableModel):
         tip = self.tr("{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled").format(
             label, len(gaps), longest, round(1000.0 * longest / original.rate), filled
         )
+        if aside := int(np.diff(self._document.runs(marker, SampleState.BAD), axis=1).sum()):
+            tip += "\n" + self.tr("{0} samples set aside").format(aside)
         return f"{tip}\n{segment}" if (segment := self._segment(marker)) else tip
 
     def _segment(self, marker: int) -> str:

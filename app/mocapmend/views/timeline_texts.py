@@ -5,10 +5,12 @@ from PySide6.QtCore import QCoreApplication
 
 from mocapmend.document import Document
 from mocapmend.files import Event
-from mocapmend.state import SampleState
+from mocapmend.state import OPEN
 from mocapmend.views.event_lane import name_of, whole_frame
+from mocapmend.views.suspect_texts import reason_text, score_text, title_text
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
 
 translate = QCoreApplication.translate
 
@@ -27,6 +29,15 @@ def lane_tip(document: Document, marker: int, gap: Gap | None, *, on_lane: bool)
     return text.format(label, first, last, gap.length, round(1000.0 * gap.length / original.rate))
 
 
+def suspect_tip(document: Document, run: BadRun) -> str:
+    """Return the tooltip of bad samples."""
+    original = document.original
+    first, last = run.start + original.first_frame, run.stop - 1 + original.first_frame
+    text = translate("TimelineTexts", "{0}, frames {1} to {2}")
+    text = text.format(title_text(run, document.labels), first, last)
+    return "\n".join(filter(None, (text, score_text(run), reason_text(run))))
+
+
 def event_tip(document: Document, event: Event) -> str:
     """Return the tooltip of an event."""
     original = document.original
@@ -42,7 +53,7 @@ def description(document: Document, view: ViewState) -> str:
     original, frame = document.original, view.frame
     if not original.frames:
         return translate("TimelineTexts", "The recording has no frames.")
-    missing = int(np.count_nonzero(document.state[frame] == SampleState.MISSING))
+    missing = int(np.count_nonzero(np.isin(document.state[frame], OPEN)))
     sentences = [
         translate("TimelineTexts", "Frame {0}, {1} s: {2} of {3} markers are missing.").format(
             frame + original.first_frame,
@@ -54,6 +65,9 @@ def description(document: Document, view: ViewState) -> str:
     if view.gap is not None:
         tip = lane_tip(document, view.gap.marker, view.gap, on_lane=True)
         sentences.append(translate("TimelineTexts", "Current gap: {0}.").format(tip))
+    if view.suspect is not None:
+        tip = suspect_tip(document, view.suspect).replace("\n", ". ")
+        sentences.append(translate("TimelineTexts", "Current problem: {0}").format(tip))
     if view.span is not None:
         sentences.append(
             translate("TimelineTexts", "Selected: frames {0} to {1}.").format(

@@ -96,6 +96,38 @@
         <translation>缺失段两端各还回一帧</translation>
     </message>
     <message>
+        <source>Look for bad samples</source>
+        <translation>查找坏采样</translation>
+    </message>
+    <message>
+        <source>Fix this problem</source>
+        <translation>修正此问题</translation>
+    </message>
+    <message>
+        <source>Fix all problems of this kind</source>
+        <translation>修正所有此类问题</translation>
+    </message>
+    <message>
+        <source>Fix all problems</source>
+        <translation>修正所有问题</translation>
+    </message>
+    <message>
+        <source>This is no problem</source>
+        <translation>这不是问题</translation>
+    </message>
+    <message>
+        <source>Set the selected samples aside</source>
+        <translation>搁置所选采样</translation>
+    </message>
+    <message>
+        <source>Believe samples that were set aside</source>
+        <translation>重新采用被搁置的采样</translation>
+    </message>
+    <message>
+        <source>Exchange the two selected markers</source>
+        <translation>互换所选的两个标记点</translation>
+    </message>
+    <message>
         <source>Apply the previewed repair</source>
         <translation>应用预览的修复</translation>
     </message>
@@ -559,6 +591,100 @@
     </message>
 </context>
 <context>
+    <name>BadActions</name>
+    <message>
+        <source>This problem is fixed already; undo takes it back.</source>
+        <translation>此问题已修正；可用撤销取回。</translation>
+    </message>
+    <message>
+        <source>This piece fits no marker: exchange it by hand, or say it is no problem.</source>
+        <translation>此片段不属于任何标记点：请手动互换，或标为没有问题。</translation>
+    </message>
+    <message>
+        <source>No problem: it is listed under that status from now on.</source>
+        <translation>没有问题：从现在起列在该状态下。</translation>
+    </message>
+    <message>
+        <source>It is a problem again.</source>
+        <translation>它又是问题了。</translation>
+    </message>
+    <message>
+        <source>The bones are still being looked for: try again soon.</source>
+        <translation>仍在查找骨段：请稍后再试。</translation>
+    </message>
+    <message>
+        <source>Looking for bad samples</source>
+        <translation>查找坏采样</translation>
+    </message>
+    <message>
+        <source>The recording was corrected meanwhile: try again.</source>
+        <translation>记录在此期间被修正过：请再试一次。</translation>
+    </message>
+    <message>
+        <source>No measured sample is selected here.</source>
+        <translation>此处没有选中测得的采样。</translation>
+    </message>
+    <message>
+        <source>Samples set aside: {0}.</source>
+        <translation>已搁置的采样：{0}。</translation>
+    </message>
+    <message>
+        <source>No sample is set aside here.</source>
+        <translation>此处没有被搁置的采样。</translation>
+    </message>
+    <message>
+        <source>Samples believed again: {0}.</source>
+        <translation>重新采用的采样：{0}。</translation>
+    </message>
+    <message>
+        <source>Select the two markers to be exchanged, and no other.</source>
+        <translation>请只选择要互换的两个标记点。</translation>
+    </message>
+    <message>
+        <source>Neither of the two markers is seen here.</source>
+        <translation>此处两个标记点都不可见。</translation>
+    </message>
+    <message>
+        <source>Exchanged in {0} frames, from frame {1} on.</source>
+        <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
+    </message>
+    <message>
+        <source>Bad samples are not known yet: look for them first (Ctrl+F).</source>
+        <translation>尚不知道坏采样：请先查找 (Ctrl+F)。</translation>
+    </message>
+    <message>
+        <source>There is nothing that could be fixed.</source>
+        <translation>没有可以修正的问题。</translation>
+    </message>
+    <message>
+        <source>Problems fixed: {0}. Samples set aside are gaps now, to be filled.</source>
+        <translation>已修正的问题：{0}。被搁置的采样现在是缺失段，有待填补。</translation>
+    </message>
+    <message>
+        <source>Problems fixed: {0}.</source>
+        <translation>已修正的问题：{0}。</translation>
+    </message>
+    <message>
+        <source>There is no bad sample here: choose a problem first (N).</source>
+        <translation>此处没有坏采样：请先选择一个问题 (N)。</translation>
+    </message>
+    <message>
+        <source>Bad samples found: {0}; they are in the queue.</source>
+        <translation>找到的坏采样：{0} 处；已列入队列。</translation>
+    </message>
+    <message>
+        <source>No bad samples were found.</source>
+        <translation>没有找到坏采样。</translation>
+    </message>
+</context>
+<context>
+    <name>BadSearch</name>
+    <message>
+        <source>Looking for bad samples</source>
+        <translation>查找坏采样</translation>
+    </message>
+</context>
+<context>
     <name>BonesPage</name>
     <message>
         <source>Length ({0})</source>
@@ -680,6 +806,73 @@
     <message>
         <source>and {0} more</source>
         <translation>另有 {0} 项</translation>
+    </message>
+</context>
+<context>
+    <name>Detectors</name>
+    <message>
+        <source>Spikes</source>
+        <translation>尖峰</translation>
+    </message>
+    <message>
+        <source>Swapped labels</source>
+        <translation>标签互换</translation>
+    </message>
+    <message>
+        <source>Fragments and ghosts</source>
+        <translation>片段与鬼点</translation>
+    </message>
+    <message>
+        <source>Ragged ends</source>
+        <translation>残缺端</translation>
+    </message>
+    <message>
+        <source>Frozen samples</source>
+        <translation>冻结采样</translation>
+    </message>
+    <message>
+        <source>Broken bones</source>
+        <translation>骨长异常</translation>
+    </message>
+    <message>
+        <source>Far from the body</source>
+        <translation>远离身体</translation>
+    </message>
+    <message>
+        <source>Coinciding points</source>
+        <translation>重合点</translation>
+    </message>
+    <message>
+        <source>Samples that leave the trajectory for one or a few frames and come back. Fast motion is told apart by the frames on both sides and by the neighbouring markers.</source>
+        <translation>偏离轨迹一帧或几帧后又回来的采样。根据两侧的帧和相邻标记点与快速运动区分。</translation>
+    </message>
+    <message>
+        <source>Two markers that carry each other&apos;s label for some time, also where a gap or the end of the recording hides where it begins or ends. Labels that are swapped throughout cannot be found.</source>
+        <translation>两个标记点在一段时间内互换了标签，也包括起止被缺失段或记录端点遮住的情形。始终互换的标签无法找到。</translation>
+    </message>
+    <message>
+        <source>Points without a label, and labels that come twice, that are pieces of a marker&apos;s trajectory. Those that fit no marker are listed as ghosts.</source>
+        <translation>没有名称的点和重复的名称，其实是某标记点轨迹的片段。不属于任何标记点的列为鬼点。</translation>
+    </message>
+    <message>
+        <source>Samples just before or after a gap that bend away from the trajectory, as those of a marker that is half hidden.</source>
+        <translation>紧接缺失段前后、偏离轨迹的采样，如半遮挡的标记点。</translation>
+    </message>
+    <message>
+        <source>Samples that repeat the one before exactly while the marker goes on moving. Files in which repeats are usual, as up-sampled ones, are left alone.</source>
+        <translation>标记点仍在运动而采样与前一个完全相同。常有重复的文件（如上采样的）不予处理。</translation>
+    </message>
+    <message>
+        <source>Markers that for some frames are at another distance from their neighbours than otherwise, and go there or come back in a jump.</source>
+        <translation>在若干帧内与相邻标记点的距离异常、并且突然跳去或跳回的标记点。</translation>
+    </message>
+    <message>
+        <source>Points much further from the body than its markers are, and than they usually are.</source>
+        <translation>比身体上的标记点以及其自身平时远得多的点。</translation>
+    </message>
+    <message>
+        <source>Two points in the same place that are apart otherwise: one is a reflection, or was labelled twice.</source>
+        <translation>平时分开而处于同一位置的两个点：其一是反光，或被标注了两次。</translation>
     </message>
 </context>
 <context>
@@ -866,6 +1059,18 @@
 <context>
     <name>Filling</name>
     <message>
+        <source>Filling {0} gaps again</source>
+        <translation>重新填补 {0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>Gaps filled again: {0}.</source>
+        <translation>重新填补的缺失段：{0}。</translation>
+    </message>
+    <message>
+        <source>Cancelled: {0} fills are from before the correction.</source>
+        <translation>已取消：{0} 处填补早于修正。</translation>
+    </message>
+    <message>
         <source>Fill all gaps</source>
         <translation>填补全部缺失段</translation>
     </message>
@@ -879,10 +1084,21 @@
     </message>
 </context>
 <context>
+    <name>FixFirst</name>
+    <message>
+        <source>Fix bad samples first</source>
+        <translation>先修正坏采样</translation>
+    </message>
+    <message>
+        <source>Before all gaps are filled, set aside or exchange: {0}</source>
+        <translation>在填补所有缺失段之前，搁置或互换：{0}</translation>
+    </message>
+</context>
+<context>
     <name>GapActions</name>
     <message>
-        <source>No gap is left in the queue.</source>
-        <translation>队列中没有缺失段了。</translation>
+        <source>No problem is left in the queue.</source>
+        <translation>队列中没有问题了。</translation>
     </message>
     <message>
         <source>No gap is left to go to.</source>
@@ -1148,6 +1364,10 @@
         <translation>{0}：{1} 个未填补的缺失段，最长 {2} 帧 ({3} ms)，已填补 {4} 个采样</translation>
     </message>
     <message>
+        <source>{0} samples set aside</source>
+        <translation>已搁置 {0} 个采样</translation>
+    </message>
+    <message>
         <source>Moves as one with {0}</source>
         <translation>与 {0} 作为整体运动</translation>
     </message>
@@ -1282,6 +1502,10 @@
     <message>
         <source>&amp;Gaps</source>
         <translation>缺失段(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;blems</source>
+        <translation>问题(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Repair</source>
@@ -2289,6 +2513,10 @@
         <translation>标记点</translation>
     </message>
     <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>帧数</translation>
     </message>
@@ -2317,20 +2545,24 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>What has become of the gap</source>
-        <translation>缺失段的处理状态</translation>
+        <source>What has become of the problem</source>
+        <translation>问题的处理情况</translation>
     </message>
     <message>
-        <source>Missing frames</source>
-        <translation>缺失的帧数</translation>
+        <source>A gap, or what is wrong with the samples</source>
+        <translation>缺失段，或采样的问题所在</translation>
     </message>
     <message>
-        <source>Expected error of the best repair that was tried, in mm</source>
-        <translation>已尝试的最佳修复的预期误差 (mm)</translation>
+        <source>Frames that are missing or bad</source>
+        <translation>缺失或坏的帧数</translation>
     </message>
     <message>
-        <source>Expected error times missing frames: what comes first is worst</source>
-        <translation>预期误差乘以缺失帧数：排在最前的最严重</translation>
+        <source>Expected error of the best repair that was tried, or how far bad samples are off, in mm</source>
+        <translation>已试过的最佳修复的预期误差，或坏采样的偏差，单位 mm</translation>
+    </message>
+    <message>
+        <source>Error times frames: what comes first is worst</source>
+        <translation>误差乘以帧数：排在最前的最严重</translation>
     </message>
     <message>
         <source>The method with the least expected error</source>
@@ -2363,6 +2595,18 @@
     <message>
         <source>never to be filled</source>
         <translation>永不填补</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>已找到</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>已修正</translation>
+    </message>
+    <message>
+        <source>no problem</source>
+        <translation>没有问题</translation>
     </message>
     <message>
         <source>start, {0} more missing</source>
@@ -2400,10 +2644,6 @@
         <translation>状态</translation>
     </message>
     <message>
-        <source>Length of the gaps</source>
-        <translation>缺失段的长度</translation>
-    </message>
-    <message>
         <source>Rank</source>
         <translation>排序</translation>
     </message>
@@ -2424,16 +2664,48 @@
         <translation>保留未填</translation>
     </message>
     <message>
-        <source>Repaired</source>
-        <translation>已修复</translation>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Kind of problem</source>
+        <translation>问题的类型</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Look for bad samples in the background</source>
+        <translation>在后台查找坏采样</translation>
+    </message>
+    <message>
+        <source>Repaired or fixed</source>
+        <translation>已修复或修正</translation>
     </message>
     <message>
         <source>Never to be filled</source>
         <translation>永不填补</translation>
     </message>
     <message>
+        <source>No problem</source>
+        <translation>没有问题</translation>
+    </message>
+    <message>
         <source>All</source>
         <translation>全部</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>所有类型</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>缺失段</translation>
+    </message>
+    <message>
+        <source>Bad samples</source>
+        <translation>坏采样</translation>
     </message>
     <message>
         <source>Any length</source>
@@ -2452,20 +2724,28 @@
         <translation>1 s 以上</translation>
     </message>
     <message>
+        <source>No problem passes the filter.</source>
+        <translation>没有符合筛选条件的问题。</translation>
+    </message>
+    <message>
+        <source>{0} listed · ranked {1} of {2}</source>
+        <translation>列出 {0} 项 · 已排序 {1} / {2}</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 个问题</translation>
+    </message>
+    <message>
+        <source>{0} problems</source>
+        <translation>{0} 个问题</translation>
+    </message>
+    <message>
         <source>1 gap</source>
         <translation>1 个缺失段</translation>
     </message>
     <message>
-        <source>No gap passes the filter.</source>
-        <translation>没有符合筛选条件的缺失段。</translation>
-    </message>
-    <message>
         <source>No marker is missing anywhere: there is nothing to fill.</source>
         <translation>没有标记点缺失：无需填补。</translation>
-    </message>
-    <message>
-        <source>{0} gaps · ranked {1} of {2}</source>
-        <translation>{0} 个缺失段 · 已排序 {1} / {2}</translation>
     </message>
     <message>
         <source>{0} gaps</source>
@@ -2475,8 +2755,8 @@
 <context>
     <name>QueueTable</name>
     <message>
-        <source>Queue of gaps</source>
-        <translation>缺失段队列</translation>
+        <source>Queue of problems</source>
+        <translation>问题队列</translation>
     </message>
     <message>
         <source>inside, {0} more missing</source>
@@ -4657,6 +4937,230 @@
         <source>a parameter is neither a number nor a text, nor a list of texts</source>
         <translation>有一个参数既不是数字或文本，也不是文本列表</translation>
     </message>
+    <message>
+        <source>fix {0} ({1})</source>
+        <translation>修正 {0} ({1})</translation>
+    </message>
+    <message>
+        <source>fix {0} problems ({1})</source>
+        <translation>修正 {0} 个问题 ({1})</translation>
+    </message>
+    <message>
+        <source>fix {0} problems</source>
+        <translation>修正 {0} 个问题</translation>
+    </message>
+    <message>
+        <source>set {0} samples of {1} aside</source>
+        <translation>搁置 {1} 的 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>believe {0} samples of {1} again</source>
+        <translation>重新采用 {1} 的 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>exchange {0}</source>
+        <translation>互换 {0}</translation>
+    </message>
+    <message>
+        <source>correct as in {0}</source>
+        <translation>按 {0} 修正</translation>
+    </message>
+    <message>
+        <source>fill {0} gaps again</source>
+        <translation>重新填补 {0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>{0} markers</source>
+        <translation>{0} 个标记点</translation>
+    </message>
+    <message>
+        <source>It was set aside by hand.</source>
+        <translation>手动搁置。</translation>
+    </message>
+    <message>
+        <source>It belongs to none of the labels.</source>
+        <translation>它不属于任何名称。</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 帧</translation>
+    </message>
+    <message>
+        <source>{0} frames</source>
+        <translation>{0} 帧</translation>
+    </message>
+    <message>
+        <source>For {0} it is {1} mm from where the frames before and after lead, {2} times the noise there.</source>
+        <translation>有 {0} 偏离前后帧所指的位置 {1} mm，为该处噪声的 {2} 倍。</translation>
+    </message>
+    <message>
+        <source>For 1 frame {0} and {1}, {2} mm apart, each continue the other&apos;s trajectory.</source>
+        <translation>有 1 帧，{0} 与 {1}（相距 {2} mm）各自延续了对方的轨迹。</translation>
+    </message>
+    <message>
+        <source>For {0} frames {1} and {2}, {3} mm apart, each continue the other&apos;s trajectory.</source>
+        <translation>有 {0} 帧，{1} 与 {2}（相距 {3} mm）各自延续了对方的轨迹。</translation>
+    </message>
+    <message>
+        <source>For {0} its distances to its neighbours differ by {1} mm from what they are otherwise.</source>
+        <translation>有 {0} 与相邻标记点的距离同平时相差 {1} mm。</translation>
+    </message>
+    <message>
+        <source>For {0} it is {1} mm from the middle of the body, where it is {2} mm otherwise.</source>
+        <translation>有 {0} 距身体中心 {1} mm，平时为 {2} mm。</translation>
+    </message>
+    <message>
+        <source>For {0} it is in the same place as {1}, from which it is {2} mm away otherwise.</source>
+        <translation>有 {0} 与 {1} 处于同一位置，平时相距 {2} mm。</translation>
+    </message>
+    <message>
+        <source>The sample after a gap bends away from the trajectory, by up to {0} mm.</source>
+        <translation>缺失段之后的采样偏离轨迹，最多 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The sample before a gap bends away from the trajectory, by up to {0} mm.</source>
+        <translation>缺失段之前的采样偏离轨迹，最多 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The {0} samples after a gap bend away from the trajectory, by up to {1} mm.</source>
+        <translation>缺失段之后的 {0} 个采样偏离轨迹，最多 {1} mm。</translation>
+    </message>
+    <message>
+        <source>The {0} samples before a gap bend away from the trajectory, by up to {1} mm.</source>
+        <translation>缺失段之前的 {0} 个采样偏离轨迹，最多 {1} mm。</translation>
+    </message>
+    <message>
+        <source>It jumps {0} mm, and then the same coordinates are repeated {1} times.</source>
+        <translation>它跳动 {0} mm，然后相同的坐标重复 {1} 次。</translation>
+    </message>
+    <message>
+        <source>The same coordinates are repeated {0}, and then it is {1} mm away.</source>
+        <translation>相同的坐标重复{0}，然后相距 {1} mm。</translation>
+    </message>
+    <message>
+        <source>The same coordinates are repeated {0}, while it has moved by {1} mm.</source>
+        <translation>相同的坐标重复{0}，而其间移动了 {1} mm。</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>一次</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0} 次</translation>
+    </message>
+    <message>
+        <source>It is seen for {0} and {1}.</source>
+        <translation>可见 {0}，{1}。</translation>
+    </message>
+    <message>
+        <source>no marker is missing there that it could be</source>
+        <translation>那里没有它可能属于的缺失标记点</translation>
+    </message>
+    <message>
+        <source>fits no marker: {0} comes nearest, off by {1} times the usual</source>
+        <translation>不属于任何标记点：最接近的是 {0}，偏差为平时的 {1} 倍</translation>
+    </message>
+    <message>
+        <source>may be {0} or {1}: it fits both about as well</source>
+        <translation>可能是 {0} 或 {1}：两者同样吻合</translation>
+    </message>
+    <message>
+        <source>For {0} it fits into a gap of {1}: it is off by {2} times what is usual, no other is missing.</source>
+        <translation>有 {0} 符合 {1} 的缺失段：偏差为平时的 {2} 倍，没有其他标记点缺失。</translation>
+    </message>
+    <message>
+        <source>For {0} it fits into a gap of {1}: it is off by {2} times what is usual, the next marker by {3}.</source>
+        <translation>有 {0} 符合 {1} 的缺失段：偏差为平时的 {2} 倍，其次的标记点为 {3} 倍。</translation>
+    </message>
+    <message>
+        <source>{0} measured sample were set aside, or are no longer; the repair record lists them.</source>
+        <translation>{0} 个测量采样被搁置或不再搁置；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured samples were set aside, or are no longer; the repair record lists them.</source>
+        <translation>{0} 个测量采样被搁置或不再搁置；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured sample were smoothed; the repair record lists them.</source>
+        <translation>{0} 个测量采样被平滑；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured samples were smoothed; the repair record lists them.</source>
+        <translation>{0} 个测量采样被平滑；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} sample changed places between markers; the repair record lists them.</source>
+        <translation>{0} 个采样在标记点之间互换；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} samples changed places between markers; the repair record lists them.</source>
+        <translation>{0} 个采样在标记点之间互换；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} is called {1}; the repair record lists it.</source>
+        <translation>{0} 改名为 {1}；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} is called {1} and {2} more; the repair record lists it.</source>
+        <translation>{0} 改名为 {1}，另有 {2} 个；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>Marker {0}: {1} set aside were not measured as the repair record says, the first at frame {2}.</source>
+        <translation>标记点 {0}：被搁置的 {1} 与修复记录所述的测量值不符，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 个采样</translation>
+    </message>
+    <message>
+        <source>{0} samples</source>
+        <translation>{0} 个采样</translation>
+    </message>
+    <message>
+        <source>The repair record lists exchanges that contradict each other.</source>
+        <translation>修复记录所列的互换相互矛盾。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} runs that the repair record sets aside are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录搁置的 {1} 个连续段中有 {0} 个已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} exchanged runs of the repair record are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录的 {1} 处互换中有 {0} 处已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} smoothed runs of the repair record are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录的 {1} 处平滑中有 {0} 处已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} new names of the repair record are not in the file any more.</source>
+        <translation>修复记录的 {1} 个新名称中有 {0} 个已不在文件中。</translation>
+    </message>
+    <message>
+        <source>The parameters of this file have no room for the label {0}.</source>
+        <translation>此文件的参数中容不下名称 {0}。</translation>
+    </message>
+    <message>
+        <source>Choose shorter labels, or save it as another format.</source>
+        <translation>请选用更短的名称，或另存为其他格式。</translation>
+    </message>
+    <message>
+        <source>This cannot be smoothed: {0}.</source>
+        <translation>无法平滑：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose other parameters, or another method.</source>
+        <translation>请选择其他参数，或其他方法。</translation>
+    </message>
+    <message>
+        <source>No labels can be learned: {0}.</source>
+        <translation>无法学习名称：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose recordings whose markers are labelled.</source>
+        <translation>请选择标记点有名称的记录。</translation>
+    </message>
 </context>
 <context>
     <name>ShortcutsDialog</name>
@@ -4753,6 +5257,180 @@
     </message>
 </context>
 <context>
+    <name>SuspectBox</name>
+    <message>
+        <source>Current problem</source>
+        <translation>当前问题</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>修正</translation>
+    </message>
+    <message>
+        <source>No problem</source>
+        <translation>没有问题</translation>
+    </message>
+    <message>
+        <source>Believe again</source>
+        <translation>重新采用</translation>
+    </message>
+    <message>
+        <source>◀ Previous</source>
+        <translation>◀ 上一个</translation>
+    </message>
+    <message>
+        <source>Next ▶</source>
+        <translation>下一个 ▶</translation>
+    </message>
+    <message>
+        <source>Fix this kind</source>
+        <translation>修正此类</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>全部修正</translation>
+    </message>
+    <message>
+        <source>A problem after all</source>
+        <translation>仍是问题</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fixed.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;已修正。&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;You hold it for no problem.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;您认为这不是问题。&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>It fits no marker: exchange it by hand, or say it is no problem.</source>
+        <translation>它不属于任何标记点：请手动互换，或标为没有问题。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fixing&lt;/b&gt; exchanges the two: dashed lines show how it will be.</source>
+        <translation>&lt;b&gt;修正&lt;/b&gt;将互换两者：虚线显示互换后的样子。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fixing&lt;/b&gt; sets the samples aside: they become a gap, to be filled.</source>
+        <translation>&lt;b&gt;修正&lt;/b&gt;将搁置这些采样：它们成为有待填补的缺失段。</translation>
+    </message>
+    <message>
+        <source>To be filled with {0}, as shown.</source>
+        <translation>将如图用“{0}”填补。</translation>
+    </message>
+    <message>
+        <source>To be filled with {0}, as shown: expected error {1} mm.</source>
+        <translation>将如图用“{0}”填补：预期误差 {1} mm。</translation>
+    </message>
+    <message>
+        <source>frame {0} ({1} ms)</source>
+        <translation>帧 {0} ({1} ms)</translation>
+    </message>
+    <message>
+        <source>frames {0} – {1}: {2} ({3} ms)</source>
+        <translation>帧 {0} – {1}：{2} 帧 ({3} ms)</translation>
+    </message>
+</context>
+<context>
+    <name>Suspects</name>
+    <message>
+        <source>Gap</source>
+        <translation>缺失段</translation>
+    </message>
+    <message>
+        <source>Spike</source>
+        <translation>尖峰</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>互换</translation>
+    </message>
+    <message>
+        <source>Fragment</source>
+        <translation>片段</translation>
+    </message>
+    <message>
+        <source>Ragged</source>
+        <translation>残缺端</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>冻结</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>骨长</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远离</translation>
+    </message>
+    <message>
+        <source>Double</source>
+        <translation>重合</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Swapped labels</source>
+        <translation>标签互换</translation>
+    </message>
+    <message>
+        <source>Fragment or ghost</source>
+        <translation>片段或鬼点</translation>
+    </message>
+    <message>
+        <source>Ragged end</source>
+        <translation>残缺端</translation>
+    </message>
+    <message>
+        <source>Frozen samples</source>
+        <translation>冻结采样</translation>
+    </message>
+    <message>
+        <source>Broken bone</source>
+        <translation>骨长异常</translation>
+    </message>
+    <message>
+        <source>Far from the body</source>
+        <translation>远离身体</translation>
+    </message>
+    <message>
+        <source>Coinciding points</source>
+        <translation>重合点</translation>
+    </message>
+    <message>
+        <source>Of no label</source>
+        <translation>不属于任何名称</translation>
+    </message>
+    <message>
+        <source>Set aside by hand</source>
+        <translation>手动搁置</translation>
+    </message>
+    <message>
+        <source>The rest is explained otherwise.</source>
+        <translation>其余部分另有解释。</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} mm off</source>
+        <translation>偏差 {0} mm</translation>
+    </message>
+    <message>
+        <source>{0} % sure</source>
+        <translation>{0} % 把握</translation>
+    </message>
+</context>
+<context>
     <name>TimeActions</name>
     <message>
         <source>This recording has no events.</source>
@@ -4800,6 +5478,10 @@
         <translation>{0}：第 {1} 至 {2} 帧缺失，共 {3} 帧 ({4} ms)</translation>
     </message>
     <message>
+        <source>{0}, frames {1} to {2}</source>
+        <translation>{0}，第 {1} 至 {2} 帧</translation>
+    </message>
+    <message>
         <source>{0}, frame {1}, {2} s</source>
         <translation>{0}，第 {1} 帧，{2} s</translation>
     </message>
@@ -4814,6 +5496,10 @@
     <message>
         <source>Current gap: {0}.</source>
         <translation>当前缺失段：{0}。</translation>
+    </message>
+    <message>
+        <source>Current problem: {0}</source>
+        <translation>当前问题：{0}</translation>
     </message>
     <message>
         <source>Selected: frames {0} to {1}.</source>
@@ -4966,6 +5652,10 @@
     <message>
         <source>missing</source>
         <translation>缺失</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>已搁置</translation>
     </message>
     <message>
         <source>Frame {0} · {1} s</source>
