@@ -277,6 +277,19 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Fill all gaps up to the limit"),
         ("Ctrl+Return",),
     ),
+    ActionSpec(
+        "smooth",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Smooth the chosen markers"),
+        ("Ctrl+M",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "unsmooth",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Take smoothing off the chosen markers"),
+        ("Ctrl+Shift+M",),
+    ),
     ActionSpec("play", "Play", QT_TRANSLATE_NOOP("Actions", "Play / pause"), ("Space",)),
     ActionSpec("next_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Next frame"), ("Right",)),
     ActionSpec("previous_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Previous frame"), ("Left",)),
@@ -562,6 +575,13 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Go to the analog channels"),
         ("Ctrl+5",),
         "document",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
+    ),
+    ActionSpec(
+        "show_smooth",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to smoothing"),
+        ("Ctrl+6",),
         submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
     ActionSpec(

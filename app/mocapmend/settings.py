@@ -47,6 +47,7 @@ SEARCHING = Setting(key="queue/searching", default=True)
 FIX_FIRST = Setting(key="repair/fix_first", default=False)
 """Whether bad samples are put right before all gaps are filled."""
 COMPARE = Setting(key="repair/compare", default=True)
+SMOOTHER = Setting("smooth/method", "gcv")
 TRAIL_SECONDS = Setting("view/trail_seconds", 0.5)
 SHOWN = {
     name: Setting(f"view/{name}", default)

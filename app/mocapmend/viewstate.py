@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject, Signal
 from mocapmend.prospects import Preview
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.smooth.contract import SmoothedRun
 
 __all__ = ["Preview", "ViewState"]
 
@@ -26,6 +27,7 @@ class ViewState(QObject):
     gap_changed = Signal(object)
     suspect_changed = Signal(object)
     preview_changed = Signal(object)
+    smoothing_changed = Signal(tuple)
     range_changed = Signal(float, float)
     span_changed = Signal(object)
 
@@ -37,6 +39,7 @@ class ViewState(QObject):
         self.gap: Gap | None = None
         self.suspect: BadRun | None = None
         self.preview: Preview | None = None
+        self.smoothing: tuple[SmoothedRun, ...] = ()
         self.candidates: tuple[tuple[int, Preview], ...] = ()
         self.picking = False
         self.visible = (0.0, float(max(1, frames)))
@@ -132,6 +135,12 @@ class ViewState(QObject):
         if preview is not self.preview:
             self.preview = preview
             self.preview_changed.emit(preview)
+
+    def set_smoothing(self, runs: tuple[SmoothedRun, ...]) -> None:
+        """Show smoothed runs without applying them, or none."""
+        if runs != self.smoothing:
+            self.smoothing = runs
+            self.smoothing_changed.emit(runs)
 
     @property
     def others(self) -> tuple[tuple[int, Preview], ...]:

@@ -151,6 +151,31 @@ def _wait_for(filling: Filling) -> None:
     wait_until(lambda: filling.job is None)
 
 
+def smoothing(stage: Stage) -> None:
+    """Look at what smoothing would do to a marker, and do it to a part of all."""
+    workspace = stage.workspace
+    stage.show_pane(workspace.timeline)
+    workspace.view.select((3, 4))
+    stage.do("show_smooth")
+    for method in range(workspace.smooth.method.count()):
+        workspace.smooth.method.setCurrentIndex(method)
+        wait_until(lambda: not workspace.smoothing.busy)
+        stage.shoot(f"smooth_{workspace.smooth.way.method}")
+    workspace.smooth.method.setCurrentIndex(0)
+    workspace.view.set_span((900, 1300))
+    workspace.smooth.time.setCurrentIndex(1)
+    workspace.smooth.markers.setCurrentIndex(1)
+    stage.do("smooth")
+    wait_until(lambda: workspace.smoothing.job is None)
+    stage.do("zoom_span")
+    stage.shoot("smoothed")
+    stage.do("undo")
+    workspace.smooth.markers.setCurrentIndex(0)
+    workspace.view.set_span(None)
+    workspace.zoom_all()
+    stage.show_pane(workspace.repair)
+
+
 def working(stage: Stage) -> None:
     """Fill all gaps by a slow method, and cancel that."""
     workspace = stage.workspace

@@ -26,6 +26,7 @@ def walk(folder: Path, language: str, size: tuple[int, int], text: float) -> Non
         panes.repairing(stage)
         panes.problems(stage)
         panes.filling(stage)
+        panes.smoothing(stage)
         panes.working(stage)
         stage.close_all()
         panes.time(stage)

@@ -15,13 +15,14 @@ from PySide6.QtCore import QCoreApplication
 from mocapmend import training
 from mocapmend.bench.hunt import Plan
 from mocapmend.bench.seeds import all_seeds
-from mocapmend.engine import Changes, export, load
+from mocapmend.engine import Changes, export, load, smooth
 from mocapmend.errors import MocapmendError
 from mocapmend.files import check_files, read_recording
 from mocapmend.views.catalogue.detectors import DETECTORS as DETECTOR_TEXTS
 from mocapmend.views.catalogue.methods import METHODS as METHOD_TEXTS
 from mocapmend.views.catalogue.qt import QT
 from mocapmend.views.catalogue.segments import SEGMENTS
+from mocapmend.views.catalogue.smoothing import SMOOTHERS as SMOOTHER_TEXTS
 from mocapmend.views.engine_texts import (
     SENTENCES,
     error_text,
@@ -36,6 +37,7 @@ from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS
 from mocapmend_algorithms.problems import detect
 from mocapmend_algorithms.problems.registry import DETECTORS
+from mocapmend_algorithms.smooth.registry import SMOOTHERS
 from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 from mocapmend_resources.skeletons import load as templates
 
@@ -53,10 +55,10 @@ SPOKEN = (
 )
 """Modules whose sentences reach the window."""
 COMPOSED = {
+    "7 in 7.",
     "7 measured sample7 7; the repair record lists them.",
     "7 of 7 7 are not in the file any more7.",
     "7 sample7 changed places between markers; the repair record lists them.",
-    "7 in 7.",
     "Marker 7: 77, the first at frame 7.",
     "Samples 7 are taken as missing: 7.",
     "The file holds no 3D markers7.",
@@ -102,15 +104,20 @@ def _part(part: ast.expr) -> list[str]:
     return ["7"]
 
 
+def _texts_of(params: type) -> set[str]:
+    """Return the labels, helps and choices of a parameter class."""
+    found, hints = set(), get_type_hints(params)
+    for entry in fields(params):
+        found |= {entry.metadata["label"], entry.metadata["help"]}
+        for hint in (hints[entry.name], *get_args(hints[entry.name])):
+            found |= set(get_args(hint)) if get_origin(hint) is Literal else set()
+    return found
+
+
 def test_catalogue_of_methods_is_what_the_table_has() -> None:
     wanted: list[str] = [*FAMILIES]
     for method in METHODS.values():
-        wanted += [method.label, method.help]
-        hints = get_type_hints(method.params)
-        for entry in fields(method.params):
-            wanted += [entry.metadata["label"], entry.metadata["help"]]
-            for hint in (hints[entry.name], *get_args(hints[entry.name])):
-                wanted += get_args(hint) if get_origin(hint) is Literal else []
+        wanted += [method.label, method.help, *_texts_of(method.params)]
     assert set(METHOD_TEXTS) == set(wanted)
     assert Counter(METHOD_TEXTS).most_common(1)[0][1] == 1
 
@@ -119,6 +126,14 @@ def test_catalogue_of_detectors_is_what_the_table_has() -> None:
     wanted = [text for each in DETECTORS.values() for text in (each.label, each.help)]
     assert set(DETECTOR_TEXTS) == set(wanted)
     assert Counter(DETECTOR_TEXTS).most_common(1)[0][1] == 1
+
+
+def test_catalogue_of_smoothing_methods_is_what_their_table_has() -> None:
+    wanted = {text for each in SMOOTHERS.values() for text in (each.label, each.help)}
+    for smoother in SMOOTHERS.values():
+        wanted |= _texts_of(smoother.params)
+    assert set(SMOOTHER_TEXTS) == wanted - set(METHOD_TEXTS)
+    assert Counter(SMOOTHER_TEXTS).most_common(1)[0][1] == 1
 
 
 def test_catalogue_lists_each_sentence_once_with_numbered_places() -> None:
@@ -266,6 +281,46 @@ def test_reasons_about_chosen_donors_and_edges_are_in_the_catalogue() -> None:
         "the donor {0} is missing at an edge of the gap",
         "it takes {0} donors and was given {1}",
     } <= templates
+
+
+@pytest.mark.parametrize("name", sorted(SMOOTHERS))
+def test_what_smoothers_refuse_is_in_the_catalogue(name: str) -> None:
+    recording = Recording(moving(60, 2), ("A", "B"), 100.0, unit="mm")
+    kind = SMOOTHERS[name].params
+    wrong = {
+        "cutoff_hz": (50.0, 1e-3),
+        "order": (0, 3),
+        "window_ms": (10.0,),
+        "noise_mm": (-1.0,),
+    }
+    names = {entry.name for entry in fields(kind)} & set(wrong)
+    told = []
+    choices = [{key: value} for key in names for value in wrong[key]]
+    for chosen in [*choices, {"cutoff_hz": 6.0, "noise_mm": 1.0}]:
+        if set(chosen) <= names:
+            try:
+                smooth(recording, [Gap(0, 0, 60)], name, kind(**chosen), no_progress)
+            except MocapmendError as error:
+                told.append(error)
+    assert told
+    for error in told:
+        template, parts = find(error.what)
+        assert template == "This cannot be smoothed: {0}."
+        assert find(parts[0]) is not None, parts[0]
+        assert find(error.todo) is not None
+
+
+def test_why_stretches_are_not_smoothed_is_in_the_catalogue() -> None:
+    points = moving(60, 3)
+    points[1:, 0] = np.nan
+    points[3:, 1] = np.nan
+    points[:, 2] = np.nan
+    recording = Recording(points, ("A", "B", "C"), 100.0, unit="mm")
+    runs = [Gap(marker, 0, 60) for marker in range(3)]
+    for name, smoother in SMOOTHERS.items():
+        made = smooth(recording, runs, name, smoother.params(), no_progress)
+        assert len(made.untouched) == 3
+        assert unlisted({entry.reason for entry in made.untouched}) == set()
 
 
 def test_complaints_about_training_sets_are_in_the_catalogue(tmp_path: Path) -> None:

@@ -14,15 +14,18 @@ from mocapmend.views.catalogue.checks import CHECKS, SEPARATOR
 from mocapmend.views.catalogue.corrections import CORRECTIONS
 from mocapmend.views.catalogue.errors import ERRORS
 from mocapmend.views.catalogue.reasons import REASONS
+from mocapmend.views.catalogue.smoothing import SMOOTHING
 from mocapmend.views.catalogue.warnings import WARNINGS
 from mocapmend_algorithms.fill.registry import method_label
+from mocapmend_algorithms.smooth.registry import smoother_label
 
-SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *CORRECTIONS)
+SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *CORRECTIONS, *SMOOTHING)
 _PLACE = re.compile(r"\{\d\}")
 _METHOD_LAST = {"fill {0} gaps ({1})", "fill {0} ({1})"}
 """Sentences whose last part is a method's id; a marker may be called like one."""
 _DETECTOR_LAST = {"fix {0} problems ({1})", "fix {0} ({1})"}
 """Sentences whose last part is a detector's id."""
+_SMOOTHER_LAST = {"smooth {0} markers ({1})", "smooth {0} ({1})"}
 
 
 def method_text(text: str) -> str:
@@ -47,6 +50,11 @@ def detector_name(detector_id: str) -> str:
 
     known = DETECTORS.get(detector_id)
     return detector_id if known is None else detector_text(known.label)
+
+
+def smoother_name(smoother_id: str) -> str:
+    """Return a smoothing method's label in the user's language, as `method_name`."""
+    return method_text(smoother_label(smoother_id))
 
 
 def segment_name(name: str) -> str:
@@ -76,6 +84,8 @@ def shown(text: str) -> str:
         return translated.format(*parts[:-1], method_name(parts[-1]))
     if template in _DETECTOR_LAST:
         return translated.format(*parts[:-1], detector_name(parts[-1]))
+    if template in _SMOOTHER_LAST:
+        return translated.format(*parts[:-1], smoother_name(parts[-1]))
     return translated.format(*map(_shown_part, parts)) if parts else translated
 
 

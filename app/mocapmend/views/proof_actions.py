@@ -11,6 +11,7 @@ from mocapmend.believed import Correction
 from mocapmend.commands import EditSamples
 from mocapmend.correcting import towards
 from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
 from mocapmend.layers import Layers
@@ -18,6 +19,7 @@ from mocapmend.plan import Plan, read_plan, write_plan
 from mocapmend.replay_edits import replayed
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -195,7 +197,7 @@ class ProofActions(QObject):
         if not self._is_as_it_was(workspace, revision):
             return
         edits = replayed(document, planned, results)
-        if not edits and not corrected:
+        if not (edits or corrected or planned.smoothing):
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
         if edits:
@@ -204,7 +206,11 @@ class ProofActions(QObject):
         text = self.tr("{0} edits made again.")
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
-        self._window.say(text.format(len(edits) + corrected))
+        told = text.format(len(edits) + corrected)
+        if planned.smoothing:
+            self._smooth(workspace, path, planned.smoothing, told)
+        else:
+            self._window.say(told)
 
     def _is_as_it_was(self, workspace: "Workspace", revision: int) -> bool:
         """Say whether a recording is open still, and has not been edited meanwhile."""
@@ -235,6 +241,32 @@ class ProofActions(QObject):
         text = f"correct as in {path.name}"
         workspace.do(EditSamples(document, edits, text, correction, labels))
         return len(correction.runs) + len(labels)
+
+    def _smooth(
+        self,
+        workspace: "Workspace",
+        path: Path,
+        jobs: tuple[replaying.SmoothJob, ...],
+        told: str,
+    ) -> None:
+        """Smooth what a recipe smooths, now that its other edits are made."""
+        document, revision = workspace.document, workspace.document.revision
+
+        def accept(results: list[SmoothResult]) -> None:
+            if not self._is_as_it_was(workspace, revision):
+                return
+            edits = [
+                edit for result in results for edit in Edit.smoothings(result, document.beneath)
+            ]
+            workspace.push(edits, f"replay the smoothing of {path.name}")
+            text = self.tr("{0} Stretches smoothed again: {1}.")
+            self._window.say(text.format(told, len(edits)))
+
+        title = self.tr("Replaying {0}").format(path.name)
+        shared = document.share_beneath()
+        job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
+        job.finished.connect(accept)
+        job.failed.connect(self._window.show_error)
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()

@@ -235,7 +235,8 @@ class Timeline(QAbstractScrollArea):
         run = self.suspect_at(place)
         if run is not None:
             return suspect_tip(self._document, run)
-        return lane_tip(self._document, marker, self.gap_at(place), on_lane=on_lane)
+        frame = self.axis.frame_at(place.x()) if on_lane else -1.0
+        return lane_tip(self._document, marker, self.gap_at(place), on_lane=on_lane, frame=frame)
 
     def _describe(self) -> None:
         self.setAccessibleDescription(description(self._document, self._view))

@@ -64,6 +64,7 @@ class Trajectories(PlotCanvas):
         view.suspect_changed.connect(self.repaint_plots)
         view.preview_changed.connect(self.repaint_plots)
         view.candidates_changed.connect(self.repaint_plots)
+        view.smoothing_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
 
     def set_theme(self, theme: Theme) -> None:
@@ -163,6 +164,7 @@ class Trajectories(PlotCanvas):
             self._view.preview,
             self._view.others,
             suspect=self._view.suspect,
+            smoothing=self._view.smoothing,
             same_scale=self._same_scale,
         )
         if self._separate:

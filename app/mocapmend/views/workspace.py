@@ -41,7 +41,10 @@ from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
+from mocapmend.views.smooth_pane import SmoothPane
+from mocapmend.views.smoothing import Smoothing
 from mocapmend.views.survey import Survey
+from mocapmend.views.taken_off import TakenOff
 from mocapmend.views.text_scale import scaled
 from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import GOOD_LANE, LANE, Timeline
@@ -105,6 +108,7 @@ class Workspace(PanedWindow):
         self.search = BadSearch(document, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.do, self)
+        self.smoothing = Smoothing(document, self.view, jobs, self.do, self)
         self.scene = Scene(document, self.view, theme)
         self.scene.set_trail_seconds(settings.get(TRAIL_SECONDS))
         self.plots = PlotPane(document, self.view, settings, theme, actions)
@@ -115,6 +119,7 @@ class Workspace(PanedWindow):
         self.markers = MarkerTable(document, self.view, theme)
         suspects = self.search.suspects
         self.repair = RepairPanel(document, self.view, suspects, settings, actions)
+        self.smooth = SmoothPane(document, self.view, self.smoothing, settings, theme, actions)
         self.repairs = RepairTable(document, self.view)
         self.queue = QueuePane(
             document, self.view, self.prospects, self.survey, self.search, settings
@@ -135,7 +140,14 @@ class Workspace(PanedWindow):
         if self.analog is not None:
             self.view.span_changed.connect(self.analog.plots.set_span)
         self.history = HistoryPane(document.undo_stack)
-        self._themed = (self.scene, self.plots, self.timeline, self.markers, self.report)
+        self._themed = (
+            self.scene,
+            self.plots,
+            self.timeline,
+            self.markers,
+            self.report,
+            self.smooth,
+        )
         self._refill_due = False
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
@@ -157,11 +169,12 @@ class Workspace(PanedWindow):
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
         working = (self.previewer, self.report, self.survey, self.search, self.filling)
-        for part in (*working, self.bad_actions):
+        for part in (*working, self.smoothing, self.bad_actions):
             part.failed.connect(self.failed)
-        self.gap_actions.message.connect(self.message)
-        self.bad_actions.message.connect(self.message)
-        self.filling.message.connect(self.message)
+        self.taken_off = TakenOff(document.undo_stack, self)
+        self.taken_off.message.connect(self.message)
+        for teller in (self.gap_actions, self.bad_actions, self.filling, self.smoothing):
+            teller.message.connect(self.taken_off.say)
         self._show_proof()
         self._beginning = Beginning(document, self.view, self.queue, self.survey, self.search, self)
         # What goes on in the background must not hold up the first picture.
@@ -219,6 +232,7 @@ class Workspace(PanedWindow):
         self.search.stop()
         self.bad_actions.stop()
         self.filling.stop()
+        self.smoothing.stop()
         self.report.stop()
         if self.analog is not None:
             self.analog.stop()
@@ -439,7 +453,7 @@ class Workspace(PanedWindow):
         self.setCentralWidget(middle)
         markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
         queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        repair = self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
         timeline = self.dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
@@ -452,7 +466,9 @@ class Workspace(PanedWindow):
             bottom.append(
                 self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             )
+        smooth = self.dock("smooth", self.tr("Smooth"), self.smooth, areas.RightDockWidgetArea)
         self.share_place([queue, markers])
+        self.share_place([repair, smooth])
         self.share_place(bottom)
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -180,6 +180,14 @@
         <translation>填补限值内的全部缺失段</translation>
     </message>
     <message>
+        <source>Smooth the chosen markers</source>
+        <translation>平滑所选范围的标记点</translation>
+    </message>
+    <message>
+        <source>Take smoothing off the chosen markers</source>
+        <translation>取消所选范围标记点的平滑</translation>
+    </message>
+    <message>
         <source>Play / pause</source>
         <translation>播放 / 暂停</translation>
     </message>
@@ -402,6 +410,10 @@
     <message>
         <source>Go to the analog channels</source>
         <translation>转到模拟通道</translation>
+    </message>
+    <message>
+        <source>Go to smoothing</source>
+        <translation>转到平滑</translation>
     </message>
     <message>
         <source>Go to the history</source>
@@ -1368,6 +1380,10 @@
         <translation>已搁置 {0} 个采样</translation>
     </message>
     <message>
+        <source>{0} samples smoothed: {1}, moved by {2} mm RMS</source>
+        <translation>已平滑 {0} 个采样：{1}，移动量均方根 {2} mm</translation>
+    </message>
+    <message>
         <source>Moves as one with {0}</source>
         <translation>与 {0} 作为整体运动</translation>
     </message>
@@ -1445,6 +1461,14 @@
     <message>
         <source>Samples that are missing now</source>
         <translation>现在仍缺失的采样数</translation>
+    </message>
+    <message>
+        <source>Smoothed (mm)</source>
+        <translation>平滑 (mm)</translation>
+    </message>
+    <message>
+        <source>How far smoothing moved it: RMS, in mm</source>
+        <translation>平滑使其移动的距离：均方根，单位 mm</translation>
     </message>
     <message>
         <source>Filled by (%)</source>
@@ -2061,6 +2085,126 @@
         <source>Recordings to learn from beside this one. Windows of motion that are coded by them, as in bone-dictionary, become part of the blend as far as tests speak for it; bones of a skeleton get their exact lengths. This takes seconds a gap.</source>
         <translation>除此记录外另用来学习的记录。用其编码的运动窗口（同 bone-dictionary）在测试支持时参与混合；骨架的骨段取其精确长度。每个缺失段需数秒。</translation>
     </message>
+    <message>
+        <source>Butterworth, zero lag</source>
+        <translation>巴特沃斯，零相位</translation>
+    </message>
+    <message>
+        <source>Takes away what is faster than a cut-off frequency, forwards and backwards so that nothing is delayed. The common choice of biomechanics; it rounds off impacts.</source>
+        <translation>去除快于截止频率的成分，正反各滤波一次，因此没有延迟。生物力学中的常用选择；会磨圆冲击。</translation>
+    </message>
+    <message>
+        <source>Cut-off</source>
+        <translation>截止频率</translation>
+    </message>
+    <message>
+        <source>Motion faster than this is taken for noise: where the power is halved. Automatic: residual analysis.</source>
+        <translation>比它更快的运动视为噪声：功率减半之处。自动：残差分析。</translation>
+    </message>
+    <message>
+        <source>Choose for</source>
+        <translation>选择范围</translation>
+    </message>
+    <message>
+        <source>Automatic cut-off only: one for each axis of each marker, one for each marker, or one for all that is smoothed.</source>
+        <translation>仅用于自动截止频率：每个标记点的每个坐标轴各一个、每个标记点一个，或全部平滑内容共用一个。</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>准则</translation>
+    </message>
+    <message>
+        <source>Automatic cut-off only. Least error: the cut-off with the least expected error, given the noise that residual analysis finds. Winter: where the residual equals the noise, which smooths more.</source>
+        <translation>仅用于自动截止频率。最小误差：在残差分析得出的噪声下预期误差最小的截止频率。Winter：残差等于噪声之处，平滑更多。</translation>
+    </message>
+    <message>
+        <source>least-error</source>
+        <translation>最小误差</translation>
+    </message>
+    <message>
+        <source>winter</source>
+        <translation>Winter 法</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>阶数</translation>
+    </message>
+    <message>
+        <source>Of the filter that goes forwards and backwards, both ways together: an even number. Higher cuts more sharply and rings more beside impacts.</source>
+        <translation>正反两次滤波合计的阶数，须为偶数。越高截止越陡，冲击旁的振铃也越多。</translation>
+    </message>
+    <message>
+        <source>Savitzky-Golay</source>
+        <translation>Savitzky-Golay 滤波</translation>
+    </message>
+    <message>
+        <source>Fits a polynomial to a short stretch around each sample. Keeps the height of peaks better than most; what is faster than its window is not taken away completely.</source>
+        <translation>对每个采样周围的一小段拟合多项式。比多数方法更能保持峰值高度；快于其窗口的成分不会完全去除。</translation>
+    </message>
+    <message>
+        <source>How long the stretch is that a polynomial is fitted to, around each sample: the nearest odd number of frames. Automatic: the one with the best cross-validation score, up to half a second.</source>
+        <translation>每个采样周围拟合多项式的时长，取最接近的奇数帧。自动：交叉验证得分最好者，最长半秒。</translation>
+    </message>
+    <message>
+        <source>Of the polynomial. Higher follows impacts better and smooths less.</source>
+        <translation>多项式的阶数。越高越能跟随冲击，平滑越少。</translation>
+    </message>
+    <message>
+        <source>A quintic spline that smooths by as much as generalised cross-validation says, and less at impacts. Good where speeds and accelerations are wanted; jitter that lasts for several frames is taken for motion.</source>
+        <translation>五次样条，平滑程度由广义交叉验证决定，冲击处平滑较少。适合需要速度和加速度的情况；持续数帧的抖动会被当作运动。</translation>
+    </message>
+    <message>
+        <source>Motion faster than this is taken for noise: where the power is halved. Automatic: generalised cross-validation, or the measurement noise where it is given.</source>
+        <translation>比它更快的运动视为噪声：功率减半之处。自动：广义交叉验证；给出测量噪声时以其为准。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate: about so much is smoothed away. Automatic: generalised cross-validation.</source>
+        <translation>测量坐标的标准差：大约平滑掉这么多。自动：广义交叉验证。</translation>
+    </message>
+    <message>
+        <source>Keep impacts</source>
+        <translation>保留冲击</translation>
+    </message>
+    <message>
+        <source>Smooths less where the motion is much faster than elsewhere, as at a foot strike or a kick. Off: as much everywhere, as Woltring&apos;s program does.</source>
+        <translation>在运动远快于别处的地方（如着地或踢击）平滑较少。关闭：各处同样平滑，与 Woltring 的程序一致。</translation>
+    </message>
+    <message>
+        <source>Kalman smoother</source>
+        <translation>卡尔曼平滑器</translation>
+    </message>
+    <message>
+        <source>Weighs each sample against what the motion around it lets expect. How fast the motion changes and how noisy the samples are is estimated from the samples.</source>
+        <translation>将每个采样与其周围运动的预期加权。运动变化的快慢和采样的噪声由采样本身估计。</translation>
+    </message>
+    <message>
+        <source>What is carried from frame to frame: the velocity, or the acceleration too, which makes a smoother curve and rounds off more of an impact.</source>
+        <translation>逐帧延续的量：速度，或连同加速度；后者曲线更平滑，但对冲击磨圆更多。</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate. Automatic: estimated together with how fast the motion changes.</source>
+        <translation>测量坐标的标准差。自动：与运动变化的快慢一同估计。</translation>
+    </message>
 </context>
 <context>
     <name>MethodsPage</name>
@@ -2440,6 +2584,10 @@
     <message>
         <source>The recording was edited meanwhile: replay again.</source>
         <translation>记录在此期间被编辑过：请重新重放。</translation>
+    </message>
+    <message>
+        <source>{0} Stretches smoothed again: {1}.</source>
+        <translation>{0} 已重新平滑的区段：{1} 个。</translation>
     </message>
     <message>
         <source>The recipe has nothing to do here.</source>
@@ -3105,6 +3253,25 @@
     <message>
         <source>Report</source>
         <translation>报告</translation>
+    </message>
+</context>
+<context>
+    <name>ResidualPlot</name>
+    <message>
+        <source>Residual by cut-off</source>
+        <translation>残差与截止频率</translation>
+    </message>
+    <message>
+        <source>What the filter takes away, in mm, by its cut-off. Dashed: what it would take of noise alone. Dot: the cut-off. Click to give another one.</source>
+        <translation>滤波器在各截止频率下去除的量，单位 mm。虚线：仅有噪声时会去除的量。圆点：截止频率。点击可另行指定。</translation>
+    </message>
+    <message>
+        <source>{0}: cut-off {1} Hz, noise {2} mm</source>
+        <translation>{0}：截止频率 {1} Hz，噪声 {2} mm</translation>
+    </message>
+    <message>
+        <source>mm by Hz</source>
+        <translation>残差 mm / Hz</translation>
     </message>
 </context>
 <context>
@@ -5161,6 +5328,62 @@
         <source>Choose recordings whose markers are labelled.</source>
         <translation>请选择标记点有名称的记录。</translation>
     </message>
+    <message>
+        <source>smooth {0} markers ({1})</source>
+        <translation>平滑 {0} 个标记点 ({1})</translation>
+    </message>
+    <message>
+        <source>smooth {0} ({1})</source>
+        <translation>平滑 {0} ({1})</translation>
+    </message>
+    <message>
+        <source>take smoothing off {0} markers</source>
+        <translation>取消 {0} 个标记点的平滑</translation>
+    </message>
+    <message>
+        <source>take smoothing off {0}</source>
+        <translation>取消 {0} 的平滑</translation>
+    </message>
+    <message>
+        <source>replay the smoothing of {0}</source>
+        <translation>重放 {0} 的平滑</translation>
+    </message>
+    <message>
+        <source>There are no samples.</source>
+        <translation>没有采样。</translation>
+    </message>
+    <message>
+        <source>Only {0} on end: this needs at least {1}.</source>
+        <translation>连续的只有 {0}：至少需要 {1} 个。</translation>
+    </message>
+    <message>
+        <source>order must be an even number from 2, not {0}</source>
+        <translation>阶数须为不小于 2 的偶数，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>cutoff_hz must be above 0 and below half the frame rate, {0} Hz, not {1}</source>
+        <translation>截止频率须大于 0 且低于帧率的一半 {0} Hz，而不是 {1}</translation>
+    </message>
+    <message>
+        <source>cutoff_hz must be from {0} Hz to below half the frame rate, {1} Hz, not {2}</source>
+        <translation>截止频率须不低于 {0} Hz 且低于帧率的一半 {1} Hz，而不是 {2}</translation>
+    </message>
+    <message>
+        <source>give cutoff_hz or noise_mm, not both: each says how much to smooth</source>
+        <translation>截止频率与测量噪声只能给出其一：二者都决定平滑程度</translation>
+    </message>
+    <message>
+        <source>noise_mm must be above 0 mm, not {0}</source>
+        <translation>测量噪声须大于 0 mm，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>order must be at least 1, not {0}</source>
+        <translation>阶数至少为 1，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>window_ms must be at least {0} ms at {1} Hz: order {2} needs {3} frames, and {4} ms are {5}</source>
+        <translation>窗口至少须为 {0} ms（{1} Hz 时）：{2} 阶需要 {3} 帧，而 {4} ms 只有 {5} 帧</translation>
+    </message>
 </context>
 <context>
     <name>ShortcutsDialog</name>
@@ -5247,6 +5470,199 @@
     <message>
         <source>One of its first keys belongs to “{0}” now. Change that one first.</source>
         <translation>其最初的按键之一现在属于“{0}”。请先更改那个命令。</translation>
+    </message>
+</context>
+<context>
+    <name>SmoothPane</name>
+    <message>
+        <source>Which markers</source>
+        <translation>哪些标记点</translation>
+    </message>
+    <message>
+        <source>Selected markers</source>
+        <translation>所选标记点</translation>
+    </message>
+    <message>
+        <source>All markers</source>
+        <translation>全部标记点</translation>
+    </message>
+    <message>
+        <source>Which frames</source>
+        <translation>哪些帧</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>整个记录</translation>
+    </message>
+    <message>
+        <source>Selected frames</source>
+        <translation>所选帧</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Take off</source>
+        <translation>取消平滑</translation>
+    </message>
+    <message>
+        <source>Smoothing method</source>
+        <translation>平滑方法</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Frames {0} – {1}</source>
+        <translation>第 {0} – {1} 帧</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{0} is smoothed&lt;/b&gt;</source>
+        <translation>&lt;b&gt;{0} 已平滑&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>{0}, {1} Hz, moved by {2} mm RMS</source>
+        <translation>{0}，{1} Hz，移动量均方根 {2} mm</translation>
+    </message>
+    <message>
+        <source>and {0} more stretches</source>
+        <translation>以及另外 {0} 个区段</translation>
+    </message>
+    <message>
+        <source>Select a marker to see what smoothing would do to it.</source>
+        <translation>选择一个标记点以查看平滑的效果。</translation>
+    </message>
+    <message>
+        <source>Computing the preview…</source>
+        <translation>正在计算预览…</translation>
+    </message>
+    <message>
+        <source>Preview of the {0} markers selected last.</source>
+        <translation>预览最后选择的 {0} 个标记点。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Next to nothing was found to smooth&lt;/b&gt; in {0}: the cut-off is close to half of the frame rate ({1} Hz).</source>
+        <translation>{0} 中&lt;b&gt;几乎没有可平滑的内容&lt;/b&gt;：截止频率接近帧率的一半 ({1} Hz)。</translation>
+    </message>
+    <message>
+        <source>If you see jitter all the same, give a cut-off.</source>
+        <translation>若仍看到抖动，请指定截止频率。</translation>
+    </message>
+    <message>
+        <source>If you see jitter all the same, give a window.</source>
+        <translation>若仍看到抖动，请指定窗口。</translation>
+    </message>
+    <message>
+        <source>If you see jitter all the same, give the measurement noise.</source>
+        <translation>若仍看到抖动，请指定测量噪声。</translation>
+    </message>
+    <message>
+        <source>Fewer than {0} samples on end.</source>
+        <translation>连续采样不足 {0} 个。</translation>
+    </message>
+    <message>
+        <source>Left as they are: stretches {0}. {1}</source>
+        <translation>保持原样的区段：{0} 个。{1}</translation>
+    </message>
+</context>
+<context>
+    <name>SmoothTable</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Cut-off (Hz)</source>
+        <translation>截止 (Hz)</translation>
+    </message>
+    <message>
+        <source>RMS mm</source>
+        <translation>均方根 mm</translation>
+    </message>
+    <message>
+        <source>Max mm</source>
+        <translation>最大 mm</translation>
+    </message>
+    <message>
+        <source>✔: smoothed in this way already</source>
+        <translation>✔：已按此方式平滑</translation>
+    </message>
+    <message>
+        <source>Of x, y and z: motion faster than this is taken for noise</source>
+        <translation>x、y、z 各自的截止频率：比它更快的运动视为噪声</translation>
+    </message>
+    <message>
+        <source>How far samples would be moved: root mean square</source>
+        <translation>采样将移动的距离：均方根</translation>
+    </message>
+    <message>
+        <source>The largest distance that a sample would be moved</source>
+        <translation>单个采样将移动的最大距离</translation>
+    </message>
+    <message>
+        <source>What smoothing would do</source>
+        <translation>平滑的效果</translation>
+    </message>
+</context>
+<context>
+    <name>Smoothing</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Smoothing is still going on.</source>
+        <translation>平滑仍在进行。</translation>
+    </message>
+    <message>
+        <source>Nothing to smooth: select markers that are seen here.</source>
+        <translation>没有可平滑的内容：请选择此处可见的标记点。</translation>
+    </message>
+    <message>
+        <source>Smoothing {0} markers</source>
+        <translation>正在平滑 {0} 个标记点</translation>
+    </message>
+    <message>
+        <source>Smoothing taken off: stretches {0}.</source>
+        <translation>已取消平滑的区段：{0} 个。</translation>
+    </message>
+    <message>
+        <source>This file came smoothed: what was measured is in the original alone.</source>
+        <translation>此文件打开时已平滑：测量值只在原始文件中。</translation>
+    </message>
+    <message>
+        <source>There is no smoothing here.</source>
+        <translation>此处没有平滑。</translation>
+    </message>
+    <message>
+        <source>The recording was edited meanwhile: smooth again.</source>
+        <translation>记录在此期间已被编辑：请重新平滑。</translation>
+    </message>
+    <message>
+        <source>Nothing was smoothed: the stretches are too short.</source>
+        <translation>没有平滑任何内容：区段太短。</translation>
+    </message>
+    <message>
+        <source>Markers smoothed: {0}; samples moved by {1} mm RMS, {2} mm at most.</source>
+        <translation>已平滑的标记点：{0} 个；采样移动量均方根 {1} mm，最大 {2} mm。</translation>
+    </message>
+    <message>
+        <source>Stretches left as they were: {0}.</source>
+        <translation>保持原样的区段：{0} 个。</translation>
+    </message>
+    <message>
+        <source>Next to nothing was found to smooth in {0} of them.</source>
+        <translation>其中 {0} 个几乎没有可平滑的内容。</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was smoothed.</source>
+        <translation>已取消：没有平滑任何内容。</translation>
     </message>
 </context>
 <context>
@@ -5431,6 +5847,13 @@
     </message>
 </context>
 <context>
+    <name>TakenOff</name>
+    <message>
+        <source>Smoothing that depends on this was taken off, stretches: {0}. Smooth again at the end.</source>
+        <translation>依赖于此的平滑已取消，区段：{0} 个。请在最后重新平滑。</translation>
+    </message>
+</context>
+<context>
     <name>TimeActions</name>
     <message>
         <source>This recording has no events.</source>
@@ -5480,6 +5903,10 @@
     <message>
         <source>{0}, frames {1} to {2}</source>
         <translation>{0}，第 {1} 至 {2} 帧</translation>
+    </message>
+    <message>
+        <source>{0}: smoothed, frames {1} to {2} ({3}, moved by {4} mm RMS)</source>
+        <translation>{0}：已平滑，第 {1} 至 {2} 帧（{3}，移动量均方根 {4} mm）</translation>
     </message>
     <message>
         <source>{0}, frame {1}, {2} s</source>
@@ -5781,6 +6208,10 @@
     <message>
         <source>History</source>
         <translation>历史</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
     </message>
     <message>
         <source>{0} events</source>
