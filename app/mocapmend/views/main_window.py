@@ -218,6 +218,7 @@ class MainWindow(QMainWindow):
         stack = workspace.document.undo_stack
         stack.indexChanged.connect(self._show_undo)
         stack.cleanChanged.connect(self._show_title)
+        workspace.document.names_changed.connect(self._show_notes)
         self._keys.guard(workspace)
         workspace.repair.rebuilt.connect(self._guard_repairs)
         workspace.paint_later()
@@ -306,7 +307,7 @@ class MainWindow(QMainWindow):
         repairable = workspace is not None and workspace.document.repairable
         self._show_possible()
         self.transport.show_workspace(workspace if repairable else None)
-        self.notes.show_warnings(workspace.document.source.warnings if workspace else ())
+        self._show_notes()
         if workspace is None:
             self._show_recent()
             self.recent.look()
@@ -324,6 +325,9 @@ class MainWindow(QMainWindow):
             )
         self.stack.setCurrentWidget(self.welcome if workspace is None else self.documents)
         self._show_title()
+
+    def _show_notes(self) -> None:
+        self.notes.show_warnings(self.workspace.notes if self.workspace else ())
 
     def _show_possible(self) -> None:
         """Enable what can be done with the current recording."""

@@ -92,6 +92,7 @@ class QueuePane(QWidget):
         self.model.dataChanged.connect(self._show_said)
         document.samples_changed.connect(self._timer.start)
         document.left_open_changed.connect(self._timer.start)
+        document.names_changed.connect(self._timer.start)
         survey.advanced.connect(self._timer.start)
         view.gap_changed.connect(self._follow)
         self.setFocusProxy(self.table)

@@ -59,12 +59,13 @@ class ReportFacts:
     def _edit(self, index: int) -> EditRow:
         command = self._document.undo_stack.command(index)
         assert isinstance(command, EditSamples)
-        edits = command.edits
-        states = np.concatenate([edit.states for edit in edits])
+        corrected = () if command.correction is None else command.correction.runs
+        runs = {*(edit.gap for edit in command.edits), *corrected}
+        filled = (np.count_nonzero(edit.states == SampleState.FILLED) for edit in command.edits)
         return EditRow(
             text=command.text(),
-            markers=len({edit.gap.marker for edit in edits}),
-            runs=len(edits),
-            filled=int(np.count_nonzero(states == SampleState.FILLED)),
+            markers=len({run.marker for run in runs}),
+            runs=len(runs),
+            filled=int(sum(filled)),
             cleared=command.cleared,
         )

@@ -90,6 +90,8 @@ class ScenePicture(QWidget):
             view.candidates_changed,
             view.picking_changed,
             document.samples_changed,
+            document.names_changed,
+            view.proposed_changed,
         ):
             signal.connect(self.update)
 
@@ -237,7 +239,8 @@ class ScenePicture(QWidget):
         names = []
         if "segments" in layers:
             names = paint_segment_names(shot, skeleton.segments)
-        labelled = range(len(places)) if "labels" in layers else self._view.selection
+        every = "labels" in layers or bool(self._view.proposed)
+        labelled = range(len(places)) if every else self._view.selection
         paint_labels(shot, places, labelled, names)
         paint_axes(shot)
         captions = []
