@@ -129,7 +129,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "label_from",
         "Edit",
         QT_TRANSLATE_NOOP("Actions", "Label from recordings…"),
-        ("Ctrl+L",),
+        ("Ctrl+I",),
         starts_group=True,
     ),
     ActionSpec("apply_labels", "Edit", QT_TRANSLATE_NOOP("Actions", "Apply the proposed labels")),

@@ -5,9 +5,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import is_dataclass, replace
 from typing import Any
 
+from mocapmend_algorithms.problems.fragments import is_unlabelled
+
 
 def short_names(labels: Sequence[str]) -> tuple[str, ...]:
     """Return labels without the subject that all of them name, as in "Matt:LASI".
+
+    Points that nobody has named, as "*12", need not name it.
 
     Parameters
     ----------
@@ -19,10 +23,18 @@ def short_names(labels: Sequence[str]) -> tuple[str, ...]:
     tuple of str
         The same labels where they do not all begin with one subject.
     """
-    subjects = {label.partition(":")[0] for label in labels if ":" in label}
-    if len(subjects) != 1 or not all(":" in label for label in labels):
+    subject = subject_of(labels)
+    if not subject:
         return tuple(labels)
-    return tuple(label.partition(":")[2] for label in labels)
+    short = tuple(label.removeprefix(f"{subject}:") for label in labels)
+    return short if len(set(short)) == len(set(labels)) else tuple(labels)
+
+
+def subject_of(labels: Sequence[str]) -> str:
+    """Return the subject that all labels name which say what a point is; "" if there is none."""
+    subjects = {label.partition(":")[0] for label in labels if ":" in label}
+    named = all(":" in label or is_unlabelled(label) for label in labels)
+    return subjects.pop() if len(subjects) == 1 and named else ""
 
 
 def new_names(before: Sequence[str], after: Sequence[str]) -> dict[str, str]:

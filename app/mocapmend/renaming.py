@@ -4,6 +4,7 @@ import unicodedata
 from collections.abc import Sequence
 
 from mocapmend.errors import MocapmendError
+from mocapmend.names import short_names, subject_of
 from mocapmend_algorithms.labelling.names import is_meaningful
 from mocapmend_algorithms.problems.fragments import is_unlabelled
 
@@ -35,21 +36,18 @@ def checked_label(text: str) -> str:
     return label
 
 
-def full_label(labels: Sequence[str], names: Sequence[str], marker: int, typed: str) -> str:
-    """Return the label that is meant by a name, as people read it.
+def full_label(labels: Sequence[str], typed: str) -> str:
+    """Return the label that is meant by a name as people read it: with the subject that all have.
 
     Parameters
     ----------
-    labels, names : sequence of str
-        Of all markers: as the file has them, and without the subject that all of them name.
-    marker : int
-        Which marker is to be called so.
+    labels : sequence of str
+        Of all markers, as the file has them.
     typed : str
         The name.
     """
-    if names[marker] == labels[marker] or ":" in typed:
-        return typed
-    return f"{labels[marker].partition(':')[0]}:{typed}"
+    subject = subject_of(labels) if short_names(labels) != tuple(labels) else ""
+    return f"{subject}:{typed}" if subject and ":" not in typed else typed
 
 
 def without_label(labels: Sequence[str]) -> list[int]:

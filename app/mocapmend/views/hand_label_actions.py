@@ -69,7 +69,7 @@ class HandLabelActions(QObject):
         try:
             label = checked_label(typed)
             if label not in document.labels:
-                label = full_label(document.labels, document.names, marker, label)
+                label = full_label(document.labels, label)
             start, stop = stretch(document, marker, view.frame, view.span)
             made = given(document, marker, (start, stop), label)
         except MocapmendError as error:

@@ -49,6 +49,9 @@ class Column(IntEnum):
     REASON = 5
 
 
+INDENTED = (Column.LABEL, Column.REASON)
+
+
 class LabelModel(QAbstractTableModel):
     """One row per piece, the least sure first."""
 
@@ -100,7 +103,7 @@ class LabelModel(QAbstractTableModel):
             return RIGHT if column is Column.FRAMES else LEFT
         if role != Qt.ItemDataRole.DisplayRole:
             return None
-        return (INDENT if column is Column.REASON else "") + self._titles[column]
+        return (INDENT if column in INDENTED else "") + self._titles[column]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         assert self.review is not None
@@ -194,7 +197,8 @@ class LabelTable(QTableView):
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setAccessibleName(self.tr("Proposed labels"))
         self.setItemDelegateForColumn(Column.NOW, LabelDelegate(self))
-        self.setItemDelegateForColumn(Column.REASON, Indented(self))
+        for column in INDENTED:
+            self.setItemDelegateForColumn(column, Indented(self))
         self._bars = BarDelegate(self, theme)
         self.setItemDelegateForColumn(Column.SURE, self._bars)
         advance = self.fontMetrics().horizontalAdvance
@@ -203,7 +207,7 @@ class LabelTable(QTableView):
             Column.STATUS: advance("✔") + PADDING,
             Column.NOW: max(min(names, WIDEST_NAME), advance("MMMMM")) + PADDING,
             Column.FRAMES: advance("00000 – 00000") + PADDING,
-            Column.LABEL: advance("MMMMMMM") + PADDING,
+            Column.LABEL: advance(INDENT + "MMMMMMM") + PADDING,
             Column.SURE: advance("0000000000"),
         }
         narrow(self, {int(k): width for k, width in widths.items()}, stretched=Column.REASON)

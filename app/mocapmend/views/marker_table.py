@@ -204,13 +204,13 @@ class MarkerTable(QWidget):
         self._model.renamed.connect(self.renamed)
         self.nameless = QLabel()
         self.nameless.setWordWrap(True)
-        document.names_changed.connect(self._count_nameless)
-        self._count_nameless()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
         layout.addWidget(self.filter)
         layout.addWidget(self.table)
         layout.addWidget(self.nameless)
+        document.names_changed.connect(self._count_nameless)
+        self._count_nameless()
         view.selection_changed.connect(self._follow)
 
     def set_theme(self, theme: Theme) -> None:

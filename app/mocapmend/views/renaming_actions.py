@@ -48,7 +48,7 @@ class RenamingActions(QObject):
         document = self._document
         try:
             name = checked_label(typed)
-            label = checked_label(full_label(document.labels, document.names, marker, name))
+            label = checked_label(full_label(document.labels, name))
         except MocapmendError as error:
             self.message.emit(error_text(error))
             return False

@@ -239,8 +239,9 @@ class ScenePicture(QWidget):
         names = []
         if "segments" in layers:
             names = paint_segment_names(shot, skeleton.segments)
-        every = "labels" in layers or bool(self._view.proposed)
-        labelled = range(len(places)) if every else self._view.selection
+        # What is proposed is seen without asking for it.
+        some = (*self._view.proposed, *self._view.selection)
+        labelled = range(len(places)) if "labels" in layers else some
         paint_labels(shot, places, labelled, names)
         paint_axes(shot)
         captions = []
