@@ -345,10 +345,11 @@ class Document(QObject):
         states[states == SampleState.SMOOTHED] = SampleState.MEASURED
         values = self.base.points[rows, marker].copy()
         values[np.isin(states, ABSENT)] = np.nan
-        for gap, repair in self.repairs.items():
-            if gap.marker == marker and gap.start < run.stop and run.start < gap.stop:
+        # What is filled is one gap: those beside each other would be one.
+        for gap in self._states.as_gaps(marker, SampleState.FILLED):
+            if gap.start < run.stop and run.start < gap.stop:
                 start, stop = max(gap.start, run.start), min(gap.stop, run.stop)
-                filled = repair.patch.values[start - gap.start : stop - gap.start]
+                filled = self.repairs[gap].patch.values[start - gap.start : stop - gap.start]
                 values[start - run.start : stop - run.start] = filled
         return Edit(run, values, states, self.repairs.get(run), self._reasons.get(run))
 

@@ -23,3 +23,7 @@ class MocapmendError(Exception):
     def __str__(self) -> str:
         place = f"{self.where}: " if self.where else ""
         return f"{place}{self.what}" + (f" {self.todo}" if self.todo else "")
+
+
+class NothingToRepairError(MocapmendError):
+    """A file that can be read and holds no markers, such as a recording of force plates alone."""

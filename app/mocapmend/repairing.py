@@ -9,7 +9,7 @@ from pathlib import Path
 
 from mocapmend import engine, fixing, marker_choice, recipe
 from mocapmend.changes import Repaired, earlier, filled
-from mocapmend.errors import MocapmendError
+from mocapmend.errors import MocapmendError, NothingToRepairError
 from mocapmend.files import Source, check_ending, read_recording
 from mocapmend.layers import Layers
 from mocapmend.plan import Plan
@@ -143,7 +143,7 @@ def require_repairable(source: Source, request: Request) -> None:
             "To repair what is there, add --accept-truncated.",
         )
     if not source.recording.points.size:
-        raise MocapmendError(
+        raise NothingToRepairError(
             "The file holds no marker data: there is nothing to repair.",
             str(source.path),
             "Choose another file.",

@@ -229,7 +229,7 @@ def deeds(draw: st.DrawFn) -> Callable[[Document], None]:
         case "fill":
             return fill
         case "rename":
-            command = {first: f"name {span}"}
+            command = {first: f"name {first} {span}"}
             return lambda document: document.undo_stack.push(
                 EditSamples(document, [], "rename", labels=command)
             )

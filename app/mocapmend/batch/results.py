@@ -8,7 +8,7 @@ from typing import Any, Literal
 from mocapmend.errors import MocapmendError
 
 NUMBER = re.compile(r"\d+(\.\d+)?")
-State = Literal["repaired", "unchanged", "failed", "waiting"]
+State = Literal["repaired", "unchanged", "nothing", "failed", "waiting"]
 
 
 @dataclass(frozen=True)
@@ -154,12 +154,12 @@ class Row:
     file : str
         Its path within the folder, with "/" between folders.
     state : str
-        "repaired" now, "unchanged" since an earlier run that has repaired it, "failed", or
-        "waiting" where the batch was stopped before.
+        "repaired" now, "unchanged" since an earlier run that has repaired it, "nothing" to repair
+        in it, "failed", or "waiting" where the batch was stopped before.
     figures : Figures or None
         None where it is not repaired.
     problem : Problem or None
-        Why it failed.
+        Why it failed, or why there is nothing to repair.
     output, report : str or None
         The repaired copy and its report, within the output folder.
     seconds : float

@@ -77,6 +77,8 @@ def duration(seconds: float) -> str:
 
 def result_text(row: Row) -> str:
     """Say what has become of a file in a line."""
+    if row.state == "nothing":
+        return f"{row.file}: nothing to repair"
     if row.problem is not None:
         return f"{row.file}: failed: {row.problem.what} {row.problem.todo}".rstrip()
     if row.figures is None:

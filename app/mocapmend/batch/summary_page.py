@@ -76,6 +76,7 @@ def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
     states = (
         (totals.repaired, "repaired now"),
         (totals.unchanged, "repaired by an earlier run"),
+        (totals.nothing, "without markers"),
         (totals.failed, "failed"),
         (totals.waiting, "not done yet: the same command goes on with them"),
     )
@@ -93,7 +94,7 @@ def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
 
 
 def _failed(rows: Sequence[Row]) -> Iterator[Part]:
-    failed = [(row.file, row.problem) for row in rows if row.problem is not None]
+    failed = [(row.file, row.problem) for row in rows if row.problem and row.state == "failed"]
     if failed:
         yield Table(
             (Column("File", "name"), Column("Why", "text"), Column("What to do", "text")),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from mocapmend.batch.results import Figures, Row
 
-ORDER = ("failed", "waiting", "repaired", "unchanged")
+ORDER = ("failed", "waiting", "repaired", "unchanged", "nothing")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,7 +16,7 @@ class Totals:
 
     Attributes
     ----------
-    files, repaired, unchanged, failed, waiting : int
+    files, repaired, unchanged, nothing, failed, waiting : int
         All files, and those in each state.
     frames : int
         Of the repaired ones, like all that follows.
@@ -37,6 +37,7 @@ class Totals:
     files: int
     repaired: int
     unchanged: int
+    nothing: int
     failed: int
     waiting: int
     frames: int
@@ -60,6 +61,7 @@ class Totals:
             files=len(rows),
             repaired=states["repaired"],
             unchanged=states["unchanged"],
+            nothing=states["nothing"],
             failed=states["failed"],
             waiting=states["waiting"],
             frames=sum(figures.frames for figures in known),

@@ -20,7 +20,7 @@ from mocapmend.batch.results import (
     Smoothed,
 )
 from mocapmend.batch.seeing import see, stamp_of
-from mocapmend.errors import MocapmendError
+from mocapmend.errors import MocapmendError, NothingToRepairError
 from mocapmend.files.opening import changed_on_disk
 from mocapmend.repair_outcome import Outcome
 from mocapmend_algorithms import Cancelled, Progress
@@ -83,6 +83,10 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
         return _repaired(task, start, progress, began)
     except Cancelled:
         raise
+    except NothingToRepairError as error:
+        seconds = time.perf_counter() - start
+        row = Row(file=task.file, state="nothing", problem=Problem.of(error), seconds=seconds)
+        return Finished(row)
     except MocapmendError as error:
         problem = Problem.of(error)
     except MemoryError:

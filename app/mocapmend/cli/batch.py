@@ -236,6 +236,7 @@ def _say_failures(rows: Sequence[Row], console: Console) -> None:
 def _of_those(totals: Totals) -> str:
     parts = (
         (totals.unchanged, "by an earlier run"),
+        (totals.nothing, "without markers"),
         (totals.failed, "failed"),
         (totals.waiting, "not done yet"),
     )

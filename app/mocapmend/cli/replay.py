@@ -9,6 +9,21 @@ from mocapmend.cli.console import Console
 from mocapmend.files import check_ending, read_recording
 from mocapmend.files.sidecar import hash_file
 
+COUNTED = {
+    "filled": "fills",
+    "reopened": "reopened",
+    "kept_open": "kept_open",
+    "freed": "freed",
+    "set_aside": "set_aside",
+    "believed": "believed",
+    "moved": "moved",
+    "moved_back": "moved_back",
+    "smoothed": "smoothed",
+    "renamed": "renamed",
+    "renamed_back": "renamed_back",
+}
+"""Edits of a recipe that the JSON document counts, by the names that they have there."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the command takes."""
@@ -45,10 +60,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         recipe=str(arguments.recipe),
         same_input=same_input,
         output=str(out),
-        filled=len(made.fills),
-        reopened=len(made.reopened),
-        kept_open=len(made.kept_open),
-        freed=len(made.freed),
+        **{key: len(getattr(made, name)) for key, name in COUNTED.items()},
         **common.written(exported),
     )
     console.say(f"Replayed: {out}")
@@ -56,9 +68,19 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         f"{common.count(len(made.fills), 'gap')} filled",
         f"{common.count(len(made.reopened), 'repair')} reopened",
     ]
-    for gaps, what in ((made.kept_open, "kept open"), (made.freed, "freed")):
-        if gaps:
-            edits.append(f"{common.count(len(gaps), 'gap')} {what}")
+    for entries, thing, what in (
+        (made.kept_open, "gap", "kept open"),
+        (made.freed, "gap", "freed"),
+        (made.set_aside, "run", "set aside"),
+        (made.believed, "run", "believed again"),
+        (made.moved, "run", "moved to another marker"),
+        (made.moved_back, "run", "moved back"),
+        (made.smoothed, "run", "smoothed"),
+        (made.renamed, "marker", "renamed"),
+        (made.renamed_back, "marker", "without the former name"),
+    ):
+        if entries:
+            edits.append(f"{common.count(len(entries), thing)} {what}")
     console.say(f"Edits:    {', '.join(edits)}")
     for sentence in exported.sentences:
         console.say(sentence)

@@ -86,6 +86,17 @@ def test_figures_agree_with_repair(run: Run, run_json: Json, trials: Path, plan:
     assert done["totals"]["filled"] == sum(row["figures"]["filled"] for row in done["files"])
 
 
+def test_a_file_without_markers_is_no_failure(run: Run, trials: Path, out: Path) -> None:
+    spec = Synthetic(np.empty((4, 0, 3)), analog=np.ones((4, 2, 3)))
+    (trials / "plates.c3d").write_bytes(encode(spec))
+    code, done = run()
+    assert code == 0
+    assert states(done) == {**dict.fromkeys(NAMES, "repaired"), "plates.c3d": "nothing"}
+    assert (done["totals"]["nothing"], done["totals"]["failed"]) == (1, 0)
+    assert not (out / "plates.c3d").exists()
+    assert "What could not be repaired" not in (out / "summary.html").read_text()
+
+
 def test_table_and_json_say_the_same(run: Run, out: Path) -> None:
     _, done = run("--report")
     with (out / "summary.csv").open(encoding="utf-8", newline="") as stream:
