@@ -95,16 +95,16 @@ def given(document: Document, point: int, frames: tuple[int, int], label: str) -
 
 def free_and_taken(
     document: Document, point: int, frames: tuple[int, int]
-) -> tuple[list[str], list[str]]:
-    """Return the labels of the other points: those not seen in some frames, and the rest."""
+) -> tuple[list[int], list[int]]:
+    """Return the other points that have labels: those not seen in some frames, and the rest."""
     there = document.base.present[frames[0] : frames[1]]
     seen = [bool(there[:, other].any()) for other in range(there.shape[1])]
     nameless = set(without_label(document.labels))
-    free: list[str] = []
-    taken: list[str] = []
-    for other, label in enumerate(document.labels):
+    free: list[int] = []
+    taken: list[int] = []
+    for other, is_seen in enumerate(seen):
         if other != point and other not in nameless:
-            (taken if seen[other] else free).append(label)
+            (taken if is_seen else free).append(other)
     return free, taken
 
 

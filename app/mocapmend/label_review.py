@@ -25,8 +25,6 @@ class LabelReview:
     ----------
     labelling : Labelling
         The proposals.
-    recording : Recording
-        What they are for.
     least : float
         Proposals below this confidence are not used, unless the user accepts them.
 
@@ -37,11 +35,10 @@ class LabelReview:
         names nobody has given.
     """
 
-    def __init__(self, labelling: Labelling, recording: Recording, least: float) -> None:
+    def __init__(self, labelling: Labelling, least: float) -> None:
         self.labels = labelling.labels
         self.least = least
         self._labelling = labelling
-        self._recording = recording
         self._now = list(labelling.proposals)
         self._decided = [Decision.NONE] * len(self._now)
         wanted = (k for k, proposal in enumerate(self._now) if not proposal.kept)
@@ -95,19 +92,14 @@ class LabelReview:
             self
         )
 
-    def first_unsure(self) -> int | None:
-        """Return the first row that the user has not decided on."""
-        rows = (row for row in range(len(self)) if self.decision(row) is Decision.NONE)
-        return next(rows, None)
-
-    def changes(self) -> LabelChanges:
-        """Return what makes the labels true that would be given."""
+    def changes(self, recording: Recording) -> LabelChanges:
+        """Return what makes the labels true that would be given to a recording."""
         proposals = tuple(
             replace(proposal, confidence=1.0 if self._is_used(k) else 0.0)
             for k, proposal in enumerate(self._now)
         )
         labelling = replace(self._labelling, proposals=proposals)
-        return changes(labelling, self._recording, least_confidence=0.5)
+        return changes(labelling, recording, least_confidence=0.5)
 
     def names_at(self, frame: int) -> dict[int, str]:
         """Return what points would be called in a frame, as far as that is proposed."""

@@ -48,8 +48,11 @@ class HandLabelActions(QObject):
         self._filling = filling
         self._do = do
 
-    def choices(self) -> tuple[list[str], list[str]] | None:
-        """Return the labels that are free where the user is, and the others; None if nowhere."""
+    def choices(self) -> tuple[list[int], list[int]] | None:
+        """Return the points whose labels are free where the user is, and the others with labels.
+
+        None where no point is meant; then it is told why.
+        """
         marker = self._view.marker
         if marker is None:
             self.message.emit(self.tr("Select a marker first."))
@@ -69,6 +72,7 @@ class HandLabelActions(QObject):
         try:
             label = checked_label(typed)
             if label not in document.labels:
+                # What is read in the list is without the subject.
                 label = full_label(document.labels, label)
             start, stop = stretch(document, marker, view.frame, view.span)
             made = given(document, marker, (start, stop), label)

@@ -33,7 +33,7 @@ class LabelChooser(Palette):
     ) -> None:
         self._take = take
         places = [(label, self.tr("free here")) for label in free]
-        places += [(label, self.tr("is seen here: exchanged")) for label in taken]
+        places += [(label, self.tr("is seen here: the two are exchanged")) for label in taken]
         entries = [Entry(label, place, "", partial(take, label)) for label, place in places]
         super().__init__(entries, parent)
         self.setWindowTitle(self.tr("{0} is…").format(name))

@@ -102,7 +102,7 @@ class LabelPane(QWidget):
         review = self._search.review
         if review is None or not self._search.up_to_date:
             return
-        found = review.changes()
+        found = review.changes(self._document.base)
         made = step(self._document, exchanges=found.exchanges, set_aside=doubts(found))
         if not (found.names or made.correction.runs):
             self.message.emit(self.tr("There is nothing to be labelled."))

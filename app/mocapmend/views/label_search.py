@@ -105,7 +105,7 @@ class LabelSearch(QObject):
 
     def _take(self, found: Labelling, stand: Stand) -> None:
         self._stand = stand
-        self.review = LabelReview(found, self._document.base, self.least)
+        self.review = LabelReview(found, self.least)
         count = len(self.review)
         told = self.tr("Labels are proposed for {0} pieces; nothing is changed yet.")
         if not count:

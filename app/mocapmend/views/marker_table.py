@@ -6,16 +6,18 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QEvent,
     QItemSelection,
     QItemSelectionModel,
     QModelIndex,
+    QObject,
     QPersistentModelIndex,
     QSortFilterProxyModel,
     Qt,
     QTimer,
     Signal,
 )
-from PySide6.QtGui import QAction, QBrush, QColor, QShowEvent
+from PySide6.QtGui import QAction, QBrush, QColor, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QLabel,
@@ -171,6 +173,20 @@ class MarkerModel(QAbstractTableModel):
         self.dataChanged.emit(self.index(0, 0), last)
 
 
+class NameDelegate(LabelDelegate):
+    """Lets Enter end the typing of a name, although it is the key of an action too."""
+
+    def eventFilter(self, editor: QObject, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        ):
+            event.accept()
+            return True
+        return super().eventFilter(editor, event)
+
+
 class MarkerTable(QWidget):
     """The marker list with a filter; its selection is the view state's.
 
@@ -247,7 +263,7 @@ class MarkerTable(QWidget):
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         table.setAccessibleName(self.tr("Markers"))
-        table.setItemDelegateForColumn(0, LabelDelegate(table))
+        table.setItemDelegateForColumn(0, NameDelegate(table))
         table.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked)
         widths = {}
         for column, widest in ((1, "100.0 %"), (2, "0000"), (3, "00000")):

@@ -442,8 +442,9 @@ class Workspace(PanedWindow):
         choices, marker = self.hand_labels.choices(), self.view.marker
         if choices is None or marker is None:
             return
-        name, take = self.document.names[marker], self.hand_labels.this_is
-        LabelChooser(name, *choices, take, self).open()
+        names, take = self.document.names, self.hand_labels.this_is
+        free, taken = ([names[other] for other in some] for some in choices)
+        LabelChooser(names[marker], free, taken, take, self).open()
 
     def ask_labels(self) -> None:
         """Ask which recordings labels are to be learned from; nothing waits for the answer."""

@@ -1,0 +1,31 @@
+"""The bundled walk as a system without labels delivers it."""
+
+from pathlib import Path
+
+import numpy as np
+from c3d_synthetic import Synthetic, encode
+
+from mocapmend.bench.labels.scrambling import Scrambled, scramble
+from mocapmend.files import read_c3d
+
+SEED = 3
+
+
+def write_scrambled(walk: Path, out: Path, *, keep: float = 0.3) -> Scrambled:
+    """Write a labelled recording without most of its labels, in pieces; return the truth.
+
+    Parameters
+    ----------
+    walk : Path
+        The labelled recording.
+    out : Path
+        The file that is written.
+    keep : float
+        Share of the markers that keep their labels.
+    """
+    made = scramble(read_c3d(walk).recording, SEED, keep=keep)
+    points = np.nan_to_num(made.recording.points)
+    fourth = np.where(made.recording.present, 0.0, -1.0)
+    labels = list(made.recording.labels)
+    out.write_bytes(encode(Synthetic(points, fourth=fourth, labels=labels)))
+    return made
