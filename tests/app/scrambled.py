@@ -15,7 +15,7 @@ FRAMES = 150
 
 
 def write_scrambled(walk: Path, out: Path, *, keep: float = 0.3) -> Scrambled:
-    """Write the beginning of a labelled recording without most of its labels, in pieces; return the truth.
+    """Write the beginning of a recording in pieces, most of them without labels; return the truth.
 
     Parameters
     ----------

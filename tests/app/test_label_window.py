@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 from scrambled import write_scrambled
 
+from mocapmend import engine
 from mocapmend.bench.labels.scrambling import GHOST, NOTHING, Scrambled
 from mocapmend.files import read_c3d
 from mocapmend.label_review import Decision, LabelReview
@@ -19,36 +20,52 @@ from mocapmend.views.label_dialog import LabelDialog
 from mocapmend.views.label_table import Column
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms import no_progress
+from mocapmend_algorithms.labelling import Labelling, LabelParams
 from mocapmend_algorithms.labelling.names import without_subject
 
 Open = Callable[[Path], MainWindow]
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def walk(samples: Path) -> Path:
     return samples / "walk_cmu_02_01.c3d"
 
 
-@pytest.fixture
-def scrambled(walk: Path, tmp_path: Path) -> Scrambled:
-    return write_scrambled(walk, tmp_path / "scrambled.c3d")
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("labels") / "scrambled.c3d"
+
+
+@pytest.fixture(scope="module")
+def scrambled(walk: Path, file: Path) -> Scrambled:
+    return write_scrambled(walk, file)
+
+
+@pytest.fixture(scope="module")
+def labelling(scrambled: Scrambled, walk: Path, file: Path) -> Labelling:
+    """Return what is proposed for it: computed once."""
+    base = read_c3d(file).measured
+    return engine.label_from(base, [walk], LabelParams(), no_progress)
 
 
 @pytest.fixture
-def workspace(scrambled: Scrambled, open_in: Open, tmp_path: Path) -> Workspace:
-    window = open_in(tmp_path / "scrambled.c3d")
+def workspace(scrambled: Scrambled, file: Path, open_in: Open) -> Workspace:
+    window = open_in(file)
     assert window.workspace is not None
     return window.workspace
 
 
-def reviewed(workspace: Workspace, walk: Path, qtbot: QtBot) -> LabelReview:
-    """Let labels be proposed, and return the review."""
-    workspace._search_labels([walk], keep_names=True)
-    qtbot.waitUntil(lambda: workspace.label_search.review is not None)
+@pytest.fixture
+def review(workspace: Workspace, labelling: Labelling, qtbot: QtBot) -> LabelReview:
+    """Return the review of labels that were proposed."""
+    workspace.show_pane(workspace.labels)
+    workspace.label_search._take(labelling, workspace.label_search._now())
     qtbot.waitUntil(lambda: workspace.labels.table.currentIndex().row() == 0)
-    review = workspace.label_search.review
-    assert review is not None
-    return review
+    qtbot.waitUntil(workspace.labels.isEnabled)
+    found = workspace.label_search.review
+    assert found is not None
+    return found
 
 
 def right_share(workspace: Workspace, truth: Scrambled) -> float:
@@ -110,12 +127,11 @@ def test_proposals_are_reviewed_by_keyboard_and_applied_in_one_step(
     workspace: Workspace,
     window: MainWindow,
     scrambled: Scrambled,
-    walk: Path,
+    review: LabelReview,
     qtbot: QtBot,
 ) -> None:
     document, view, pane = workspace.document, workspace.view, workspace.labels
     before = document.labels
-    review = reviewed(workspace, walk, qtbot)
     sure = [review.proposal(row).confidence for row in range(len(review))]
     assert sure == sorted(sure)
     assert document.labels == before
@@ -154,8 +170,7 @@ def test_proposals_are_reviewed_by_keyboard_and_applied_in_one_step(
     assert right_share(workspace, scrambled) > 0.99
 
 
-def test_another_label_is_chosen(workspace: Workspace, walk: Path, qtbot: QtBot) -> None:
-    review = reviewed(workspace, walk, qtbot)
+def test_another_label_is_chosen(workspace: Workspace, review: LabelReview) -> None:
     pane = workspace.labels
     free, taken = review.choices(0)
     assert pane.choice.count() == len(free) + len(taken) + 1
@@ -170,8 +185,7 @@ def test_another_label_is_chosen(workspace: Workspace, walk: Path, qtbot: QtBot)
     assert review.label(0) is None
 
 
-def test_the_least_confidence_says_how_many(workspace: Workspace, walk: Path, qtbot: QtBot) -> None:
-    review = reviewed(workspace, walk, qtbot)
+def test_the_least_confidence_says_how_many(workspace: Workspace, review: LabelReview) -> None:
     pane = workspace.labels
     pane.least.setValue(0)
     all_of_them, every = review.counts()
@@ -183,8 +197,10 @@ def test_the_least_confidence_says_how_many(workspace: Workspace, walk: Path, qt
 def test_an_edit_meanwhile_is_told_and_labels_are_looked_for_again(
     workspace: Workspace, walk: Path, qtbot: QtBot
 ) -> None:
-    reviewed(workspace, walk, qtbot)
+    workspace._search_labels([walk], keep_names=True)
+    qtbot.waitUntil(lambda: workspace.label_search.review is not None)
     pane, document = workspace.labels, workspace.document
+    assert pane.applying.isEnabled()
     workspace.renaming.rename(0, "Something")
     assert not pane.applying.isEnabled()
     assert "edited since" in pane.summary.text()
@@ -197,9 +213,8 @@ def test_an_edit_meanwhile_is_told_and_labels_are_looked_for_again(
 
 
 def test_proposed_names_are_seen_only_with_the_pane(
-    workspace: Workspace, walk: Path, qtbot: QtBot
+    workspace: Workspace, review: LabelReview, qtbot: QtBot
 ) -> None:
-    reviewed(workspace, walk, qtbot)
     assert workspace.view.proposed
     workspace.show_pane(workspace.timeline)
     qtbot.waitUntil(lambda: not workspace.view.proposed)
@@ -302,9 +317,8 @@ def test_the_next_point_without_a_label_is_gone_to(
 
 
 def test_an_applied_labelling_is_exported(
-    workspace: Workspace, window: MainWindow, walk: Path, tmp_path: Path, qtbot: QtBot
+    workspace: Workspace, window: MainWindow, review: LabelReview, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    reviewed(workspace, walk, qtbot)
     workspace.labels.apply()
     out = tmp_path / "labelled.c3d"
     window.files.export(out)
