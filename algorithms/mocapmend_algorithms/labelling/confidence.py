@@ -12,7 +12,7 @@ from mocapmend_algorithms.labelling.search import Search
 LEVEL, OF_MARGIN, OF_LEAD, OF_EXCESS = -1.2, 1.1, 1.7, -1.6
 MARGINS, LEADS = (-1.0, 1.25), (-2.0, 4.0)
 """Bounds: beyond them, more says no more."""
-NOBODY_LEVEL, NOBODY_OF_MARGIN = 2.7, 2.6
+NOBODY_LEVEL, NOBODY_OF_MARGIN = 1.6, 1.6
 NOBODY_MARGINS = (-1.0, 3.0)
 SURE = 0.8
 """From here on, a reason says what speaks for a label and not what speaks against it."""
@@ -101,7 +101,7 @@ def _without(search: Search, k: int, margin: Margin) -> Labelled:
         reason = "It is where no label would be."
     else:
         name = search.model.labels[margin.label]
-        reason = f"Of all labels {name} fits best, but another piece that has it fits better."
+        reason = f"It is most like {name}, but other points fit that better."
     return Labelled(search.pieces[k], None, confidence, reason)
 
 

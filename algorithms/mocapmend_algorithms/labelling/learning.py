@@ -7,7 +7,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, evenly
 from mocapmend_algorithms.labelling.around import COMPANIONS, Companions, companions, frames_around
 from mocapmend_algorithms.labelling.model import LabelModel
-from mocapmend_algorithms.labelling.names import named_points
+from mocapmend_algorithms.labelling.names import points_by_name
 from mocapmend_algorithms.labelling.upright import upright
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
@@ -53,20 +53,37 @@ def learn(
 
 def _gathered(recordings: Sequence[Recording]) -> tuple[tuple[str, ...], FloatArray]:
     """Return all labels, and the frames of all recordings in the size of the first one."""
-    named = [named_points(recording.labels) for recording in recordings]
-    labels = tuple(dict.fromkeys(label for points in named for label in points))
+    named = [_trajectories(recording) for recording in recordings]
+    labels = tuple(dict.fromkeys(label for columns in named for label in columns))
     gathered: list[FloatArray] = []
-    for recording, points in zip(recordings, named, strict=True):
+    for recording, columns in zip(recordings, named, strict=True):
         chosen = evenly(np.arange(recording.frames), MOST_FRAMES)
-        there = upright(recording)[chosen]
         full = np.full((len(chosen), len(labels), 3), np.nan)
         for k, label in enumerate(labels):
-            if label in points:
-                full[:, k] = there[:, points[label]]
+            if label in columns:
+                full[:, k] = columns[label][chosen]
         if gathered:
             full /= _size_beside(full, gathered[0])
         gathered.append(full)
     return labels, np.concatenate(gathered) if gathered else np.empty((0, 0, 3))
+
+
+def _trajectories(recording: Recording) -> dict[str, FloatArray]:
+    """Return the path of each label that means something, shape (frames, 3), in mm and z up.
+
+    Points of the same label that are never seen at once are pieces of one trajectory; of those
+    that are, nobody knows which to believe.
+    """
+    points = upright(recording)
+    found = {}
+    for label, same in points_by_name(recording.labels).items():
+        if recording.present[:, same].sum(axis=1).max(initial=0) <= 1:
+            path = np.full((recording.frames, 3), np.nan)
+            for point in same:
+                seen = recording.present[:, point]
+                path[seen] = points[seen, point]
+            found[label] = path
+    return found
 
 
 def _size_beside(points: FloatArray, first: FloatArray) -> float:

@@ -77,8 +77,8 @@ class LabelModel:
         Parameters
         ----------
         recordings : sequence of Recording
-            Labelled, of one subject or of several of like build. Points without a meaningful
-            label, or with one that another point has as well, are left out.
+            Labelled, of one subject or of several of like build. Points without a meaningful label
+            are left out, and so are those that share one, unless they are never seen at once.
         segments : sequence of sequence of str
             Labels that move as one, of a template; found from the distances by default.
         progress : Progress
@@ -127,22 +127,6 @@ class LabelModel:
             )
         except (KeyError, TypeError, AttributeError) as error:
             raise ValueError(f"this is no model of labels: {error!r}") from error
-
-    def without(self, dropped: set[int]) -> "LabelModel":
-        """Return the model without some of its labels."""
-        kept = [k for k in range(len(self.labels)) if k not in dropped]
-        new = {old: k for k, old in enumerate(kept)}
-        parts = [tuple(new[k] for k in part if k in new) for part in self.segments]
-        square = np.ix_(kept, kept)
-        return LabelModel(
-            tuple(self.labels[k] for k in kept),
-            self.length[square],
-            self.spread[square],
-            self.shapes[square],
-            self.wander[kept],
-            self.poses[:, kept],
-            tuple(part for part in parts if part),
-        )
 
 
 def _rounded(array: FloatArray) -> Any:

@@ -1,7 +1,6 @@
 """Which labels say what a point is, and which are only there because a point needs one."""
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 
 MEANINGLESS = re.compile(
@@ -25,6 +24,15 @@ def is_meaningful(label: str) -> bool:
     return not MEANINGLESS.fullmatch(without_subject(label))
 
 
+def points_by_name(labels: Sequence[str]) -> dict[str, list[int]]:
+    """Return the points of each label that means something, without the subject."""
+    found: dict[str, list[int]] = {}
+    for point, label in enumerate(labels):
+        if is_meaningful(label):
+            found.setdefault(without_subject(label), []).append(point)
+    return found
+
+
 def named_points(labels: Sequence[str]) -> dict[str, int]:
     """Return the points whose labels mean something, and are no other point's as well.
 
@@ -36,12 +44,7 @@ def named_points(labels: Sequence[str]) -> dict[str, int]:
     Returns
     -------
     dict of str to int
-        Point by label; without the subject, unless several subjects have the same.
+        Point by label, without the subject.
     """
-    short = [without_subject(label) for label in labels]
-    count = Counter(short)
-    return {
-        short[point]: point
-        for point, label in enumerate(labels)
-        if is_meaningful(label) and count[short[point]] == 1
-    }
+    named = points_by_name(labels)
+    return {name: points[0] for name, points in named.items() if len(points) == 1}

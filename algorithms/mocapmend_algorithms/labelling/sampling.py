@@ -1,6 +1,6 @@
 """Some frames of a recording, in which every piece is looked at."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,8 @@ from mocapmend_algorithms.labelling.result import Piece
 MOST_EVEN = 400
 LEAST_OF_PIECE = 3
 MOST_FRAMES = 1500
+CHUNK = 64
+"""Frames that are looked at at once."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,13 +37,31 @@ class Sampled:
         """Return the label in each slot, from the labels of the pieces."""
         return np.where(self.pieces >= 0, np.append(of_pieces, -1)[self.pieces], -1)
 
-    def mean(self, values: FloatArray, count: int) -> FloatArray:
-        """Average values, shape (samples, slots, n), over each of `count` pieces; NaN if unseen."""
-        taken = self.pieces >= 0
-        where = self.pieces[taken]
-        total = np.zeros((count, values.shape[2]))
-        np.add.at(total, where, values[taken])
-        number = np.bincount(where, minlength=count).astype(np.float64)
+    def mean(self, values: Callable[[slice], FloatArray], count: int, size: int) -> FloatArray:
+        """Average what is known of slots over each piece.
+
+        Parameters
+        ----------
+        values : callable
+            Returns the values, shape (some samples, slots, size), of a slice of the samples: all
+            at once would need much memory.
+        count : int
+            Pieces.
+        size : int
+            Values per slot.
+
+        Returns
+        -------
+        ndarray, shape (pieces, size)
+            NaN for pieces that are not seen.
+        """
+        total, number = np.zeros((count, size)), np.zeros(count)
+        for start in range(0, len(self.frames), CHUNK):
+            some = slice(start, start + CHUNK)
+            taken = self.pieces[some] >= 0
+            where = self.pieces[some][taken]
+            np.add.at(total, where, values(some)[taken])
+            number += np.bincount(where, minlength=count)
         number[number == 0] = np.nan
         return total / number[:, None]
 

@@ -37,8 +37,6 @@ FIRST_ROUNDS, LAST_ROUNDS = 6, 8
 LAST_TOLERANCE = Tolerance(share=0.03, mm=8.0, loose=1.3)
 EXCESS = 1.5
 """A piece that costs so much more than is usual for a label is not that label."""
-CHUNK = 64
-"""Frames whose costs are worked out at once."""
 
 
 class Search:
@@ -170,12 +168,12 @@ class Search:
 
     def _costs(self, expected: Expectation, believed: IntArray, progress: Progress) -> FloatArray:
         """Average the costs of each label over the frames of each piece."""
-        found = np.full((*self.seen.pieces.shape, len(self.model.labels)), np.nan)
-        for start in range(0, len(self.seen.frames), CHUNK):
-            progress(start / len(self.seen.frames))
-            some = slice(start, start + CHUNK)
-            found[some] = costs(expected, self.seen.points[some], believed[some])
-        return self.seen.mean(found, len(self.pieces))
+
+        def of(some: slice) -> FloatArray:
+            progress(some.start / len(self.seen.frames))
+            return costs(expected, self.seen.points[some], believed[some])
+
+        return self.seen.mean(of, len(self.pieces), len(self.model.labels))
 
     def _distances(self) -> FloatArray:
         expected, places, believed = self._own(), self._places(), self._believed()
@@ -185,4 +183,4 @@ class Search:
         there = np.take_along_axis(where, np.maximum(believed, 0)[:, :, None], axis=1)
         away = np.linalg.norm(self.seen.points - there, axis=2)
         away[believed < 0] = np.nan
-        return self.seen.mean(away[:, :, None], len(self.pieces))[:, 0]
+        return self.seen.mean(lambda some: away[some, :, None], len(self.pieces), 1)[:, 0]

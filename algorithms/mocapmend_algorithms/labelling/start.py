@@ -22,6 +22,8 @@ REFINED = 10
 LEAST_POINTS = 4
 CERTAIN = 1e3
 CLIP_MM = 300.0
+LEAST_SIZE = 1e-9
+"""Squared, in mm: markers that are all in one place have no size."""
 FIRST_TOLERANCE = Tolerance(share=0.08, mm=12.0, loose=1.5)
 SIZES = (0.6, 1.7)
 
@@ -139,7 +141,7 @@ def _laid(form: FloatArray, rows: IntArray, goal: FloatArray) -> tuple[FloatArra
     a, b = form[rows] - own, goal - other
     heading = np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
     turned = _turned(a, heading)
-    scale = float(np.clip((turned * b).sum() / (a**2).sum(), *SIZES))
+    scale = float(np.clip((turned * b).sum() / max((a**2).sum(), LEAST_SIZE), *SIZES))
     return scale * _turned(form - own, heading) + other, scale
 
 

@@ -111,4 +111,5 @@ def _rest(run: BadRun, taken: BoolArray) -> BadRun | None:
     if np.count_nonzero(free) <= MOSTLY * run.length or run.kind in ("swaps", "fragments"):
         return None
     start, stop = max(runs(free), key=lambda span: span[1] - span[0])
-    return replace(run, start=run.start + start, stop=run.start + stop)
+    reason = run.reason.removesuffix(".") + "; the rest is explained otherwise."
+    return replace(run, start=run.start + start, stop=run.start + stop, reason=reason)

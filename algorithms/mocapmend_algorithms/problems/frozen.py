@@ -163,5 +163,5 @@ def _described(recording: Recording, marker: int, start: int, stop: int, away: f
         score=float(1.0 - 0.5 * np.exp(-away / 20.0 - length / 10.0)),
         # It has moved by and by: half of the way is what the samples are away on average.
         deviation=away / 2.0 / recording.mm,
-        reason=f"The same coordinates are repeated {times}, and then it is {away:.0f} mm away.",
+        reason=f"The same coordinates are repeated {times}, while it has moved by {away:.0f} mm.",
     )

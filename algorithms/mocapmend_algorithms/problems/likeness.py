@@ -42,8 +42,9 @@ class Likeness:
         Returns
         -------
         ndarray, shape (n,)
-            Difference of squared deviations in standard deviations, mean over the distances that
-            can be measured; above 0 where the labels are swapped, 0 where nothing is known.
+            Difference of squared deviations in standard deviations, summed over the distances that
+            can be measured and divided by the root of their number, as they are not independent;
+            above 0 where the labels are swapped, 0 where nothing is known.
         """
         mates = [
             mate
@@ -63,8 +64,10 @@ class Likeness:
             known = ~np.isnan(more)
             total += np.where(known, more, 0.0).sum(axis=1)
             count += known.sum(axis=1)
-        return total / np.maximum(count, 1.0)
+        return total / np.sqrt(np.maximum(count, 1.0))
 
     def _squares(self, away: FloatArray, label: int, mates: list[int]) -> FloatArray:
-        off = (away - self._length[label, mates]) / self._spread[label, mates]
-        return np.minimum(off**2, MOST_SQUARE)
+        """Return twice the negative log likelihoods: a wide label does not fit all for nothing."""
+        spread = self._spread[label, mates]
+        off = (away - self._length[label, mates]) / spread
+        return np.minimum(off**2, MOST_SQUARE) + 2.0 * np.log(spread)

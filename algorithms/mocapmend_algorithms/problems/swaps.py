@@ -25,7 +25,7 @@ from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 FRAMES_PER_PIECE = 8
 """At which the distances to the neighbours are measured."""
-MOST_LIKE = 6.0
+MOST_LIKE = 8.0
 CROSSING_MISSED, HALF_MISSED = 12.0, 4.0
 """Cost of a crossing at which the labels do not change: both seen, and one of them missing."""
 UNSEEN_CHANGE, JUMP_CHANGE, BARE_CHANGE = 6.0, 3.0, 60.0

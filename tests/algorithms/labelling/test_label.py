@@ -107,6 +107,12 @@ def test_one_frame_few_points_and_none(model):
     assert labelled(hidden, model).proposals == ()
 
 
+def test_markers_that_are_all_in_one_place_can_be_learned_and_labelled():
+    heap = Recording(np.zeros((9, 6, 3)), tuple("ABCDEF"), 100.0)
+    found = labelled(replace(heap, labels=("",) * 6), LabelModel.learn([heap]))
+    assert all(p.label is None or p.confidence < SURE for p in found.proposals)
+
+
 def test_a_body_with_two_like_sides_is_not_said_to_be_sure():
     # A cross of sticks: turned by 180 degrees it is the same.
     t = np.linspace(0.0, 3.0, 120)[:, None]

@@ -81,6 +81,14 @@ def test_points_without_a_name_of_their_own_teach_nothing():
     assert model.labels == LABELS[4:]
 
 
+def test_pieces_of_a_trajectory_with_the_same_label_teach_it():
+    trial = body(40)
+    points = np.concatenate([trial.points, trial.points[:, :1]], axis=1)
+    points[20:, 0] = points[:20, -1] = np.nan
+    parts = replace(trial, points=points, labels=(*LABELS, LABELS[0]))
+    same(LabelModel.learn([parts]), LabelModel.learn([trial]))
+
+
 @pytest.mark.parametrize("labels", [("A", "B", "C"), ("*0", "*1", "*2", "*3"), ()])
 def test_too_little_to_learn_from(labels):
     points = np.random.default_rng(0).normal(size=(10, len(labels), 3))

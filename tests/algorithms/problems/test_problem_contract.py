@@ -143,9 +143,10 @@ def test_a_swap_explains_the_jumps_at_its_ends():
     jump = BadRun("spikes", 0, 39, 41, 1.0, 80.0, "")
     mate = BadRun("bone-breaks", 1, 40, 60, 0.9, 80.0, "")
     other = BadRun("spikes", 2, 39, 41, 0.9, 80.0, "")
-    late = BadRun("bone-breaks", 1, 55, 90, 0.9, 80.0, "")
+    late = BadRun("bone-breaks", 1, 55, 90, 0.9, 80.0, "It breaks by 80 mm.")
     runs = explained_once([jump, mate, other, late, swap], present)
-    assert runs == [swap, replace(late, start=62), other]
+    reason = "It breaks by 80 mm; the rest is explained otherwise."
+    assert runs == [swap, replace(late, start=62, reason=reason), other]
 
 
 def test_detectors_that_were_not_asked_for_say_nothing():

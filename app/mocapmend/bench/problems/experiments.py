@@ -9,6 +9,9 @@ from mocapmend.bench.problems.corruption import Corrupt
 SWAP_REPEATS = 5
 """Swaps are long: at the same rate there are few."""
 
+SENSITIVE = {"least_mm": 5.0}
+"""By default, spikes below 15 mm are left alone."""
+
 
 @dataclass(frozen=True)
 class Experiment:
@@ -52,8 +55,22 @@ EXPERIMENTS = (
     Experiment(
         "spikes-1", "spikes", "1 frame, 20-200 mm", put.spike(20, 200, 1, 1), 0.98, rivals=True
     ),
-    Experiment("spikes-10", "spikes", "1-5 frames, 10-20 mm", put.spike(10, 20, 1, 5), rivals=True),
-    Experiment("spikes-5", "spikes", "1-5 frames, 5-10 mm", put.spike(5, 10, 1, 5), rivals=True),
+    Experiment(
+        "spikes-10",
+        "spikes",
+        "1-5 frames, 10-20 mm; smallest deviation 5 mm",
+        put.spike(10, 20, 1, 5),
+        rivals=True,
+        params=SENSITIVE,
+    ),
+    Experiment(
+        "spikes-5",
+        "spikes",
+        "1-5 frames, 5-10 mm; smallest deviation 5 mm",
+        put.spike(5, 10, 1, 5),
+        rivals=True,
+        params=SENSITIVE,
+    ),
     Experiment(
         "swaps",
         "swaps",

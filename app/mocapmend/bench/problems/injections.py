@@ -34,12 +34,13 @@ def spike(least_mm: float, most_mm: float, shortest: int, longest: int) -> Corru
 def swap(least_mm: float, most_mm: float, longest: int, *, hidden: bool = False) -> Corrupt:
     """Exchange a marker with one of its three nearest, for 1 to so many frames, gaps and all.
 
-    Where it is to be hidden, both are missing for 3 to 30 frames at one end or at both.
+    It lasts for at most a third of the frames in which either is seen: where it was most of the
+    time, nobody could tell which labels are right. Where it is to be hidden, both are missing for
+    3 to 30 frames at one end or at both.
     """
 
     def corrupt(canvas: Canvas, rng: np.random.Generator) -> bool:
         length = round(float(np.exp(rng.uniform(0.0, np.log(longest)))))
-        length = min(length, canvas.source.frames // 3)
         first, start = _place(canvas, rng, length)
         stop = start + length
         away = _distances(canvas.source, first, start, stop)
@@ -48,6 +49,8 @@ def swap(least_mm: float, most_mm: float, longest: int, *, hidden: bool = False)
             return False
         second = int(rng.choice(near))
         pair = [first, second]
+        if length > (~canvas.missing[:, pair]).sum(axis=0).min() // 3:
+            return False
         if not all(canvas.free(marker, start, stop) for marker in pair):
             return False
         canvas.points[start:stop, pair] = canvas.points[start:stop, pair[::-1]]

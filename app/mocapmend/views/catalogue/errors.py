@@ -281,4 +281,6 @@ ERRORS = (
     QT_TRANSLATE_NOOP("Sentences", "“{0}” is no array."),
     QT_TRANSLATE_NOOP("Sentences", "“{0}” is no array of numbers or text."),
     QT_TRANSLATE_NOOP("Sentences", "The size of “{0}” is not what its header says."),
+    QT_TRANSLATE_NOOP("Sentences", "No labels can be learned: {0}."),
+    QT_TRANSLATE_NOOP("Sentences", "Choose recordings whose markers are labelled."),
 )
