@@ -12,6 +12,7 @@ from mocapmend.views.catalogue.labels import LABELS
 from mocapmend.views.engine_texts import find, shown
 from mocapmend_algorithms import Recording, no_progress
 from mocapmend_algorithms.labelling import LabelModel, LabelParams, label
+from mocapmend_algorithms.labelling.proposal import HAS_NAME, OTHER_NAME
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SPOKEN = ("renaming", "hand_labels")
@@ -80,16 +81,24 @@ def test_reasons_of_proposals_are_in_the_catalogue(samples: Path) -> None:
     assert len(templates) > 3
 
 
-def returned_by(*names: str) -> set[str]:
-    """Return what functions of the confidence's module may say, with 7 where it changes."""
+def functions() -> dict[str, ast.FunctionDef]:
+    """Return the functions that say how sure labels are, and why."""
     path = ROOT / "algorithms/mocapmend_algorithms/labelling/confidence.py"
-    functions = {
-        node.name: node
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.FunctionDef)
-    }
-    nodes = (node for name in names for node in ast.walk(functions[name]))
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return {node.name: node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+
+
+def returned_by(*names: str) -> set[str]:
+    """Return what some of these functions may say, with 7 where it changes."""
+    nodes = (node for name in names for node in ast.walk(functions()[name]))
     return {text_of(node.value) for node in nodes if isinstance(node, ast.Return) and node.value}
+
+
+def test_why_a_piece_has_no_label_is_in_the_catalogue() -> None:
+    nodes = [node for node in ast.walk(functions()["_without"]) if isinstance(node, ast.Assign)]
+    said = {text_of(each.value) for each in nodes if getattr(each.targets[0], "id", "") == "reason"}
+    assert len(said) == 3
+    assert {text for text in {*said, HAS_NAME, OTHER_NAME} if find(text) is None} == set()
 
 
 def test_doubts_about_proposals_are_in_the_catalogue() -> None:

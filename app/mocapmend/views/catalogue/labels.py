@@ -41,9 +41,7 @@ PROPOSED = (
         "Sentences", "Too few points are seen at once to tell which labels they are."
     ),
     QT_TRANSLATE_NOOP("Sentences", "It is where no label would be."),
-    QT_TRANSLATE_NOOP(
-        "Sentences", "Of all labels {0} fits best, but another piece that has it fits better."
-    ),
+    QT_TRANSLATE_NOOP("Sentences", "It is most like {0}, but other points fit that better."),
 )
 """Why labels are proposed."""
 
