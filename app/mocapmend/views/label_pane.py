@@ -21,7 +21,6 @@ from mocapmend.correcting import step
 from mocapmend.document import Document
 from mocapmend.label_review import Decision
 from mocapmend.relabelling import doubts
-from mocapmend.settings import LEAST_CONFIDENCE, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.filling import Filling
@@ -56,7 +55,6 @@ class LabelPane(QWidget):
         search: LabelSearch,
         filling: Filling,
         do: Callable[[EditSamples], None],
-        settings: Settings,
         theme: Theme,
         actions: dict[str, QAction],
         parent: QWidget | None = None,
@@ -67,7 +65,6 @@ class LabelPane(QWidget):
         self._search = search
         self._filling = filling
         self._do = do
-        self._settings = settings
         self._applied = False
         self.table = LabelTable(document, theme)
         self.table.accepted.connect(self.accept)
@@ -138,10 +135,7 @@ class LabelPane(QWidget):
         self.table.setFocus()
 
     def _set_least(self, percent: int) -> None:
-        self._search.least = percent / 100.0
-        self._settings.set(LEAST_CONFIDENCE, self._search.least)
-        if self._search.review is not None:
-            self._search.review.least = self._search.least
+        self._search.set_least(percent / 100.0)
         self._follow()
 
     # --- parts -------------------------------------------------------------------------------

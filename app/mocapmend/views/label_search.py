@@ -9,6 +9,7 @@ from mocapmend import engine
 from mocapmend.document import Document
 from mocapmend.jobs import Job, Jobs
 from mocapmend.label_review import LabelReview
+from mocapmend.settings import LEAST_CONFIDENCE, Settings
 from mocapmend_algorithms.labelling import Labelling, LabelParams
 
 Stand = tuple[int, tuple[str, ...]]
@@ -43,14 +44,14 @@ class LabelSearch(QObject):
     failed = Signal(object)
 
     def __init__(
-        self, document: Document, jobs: Jobs, least: float, parent: QObject | None = None
+        self, document: Document, jobs: Jobs, settings: Settings, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._document = document
         self._jobs = jobs
         self._asked: tuple[tuple[Path, ...], LabelParams] | None = None
         self._stand: Stand | None = None
-        self.least = least
+        self._settings = settings
         self.review: LabelReview | None = None
         self.job: Job | None = None
         document.base_changed.connect(self.changed)
@@ -60,6 +61,17 @@ class LabelSearch(QObject):
     def up_to_date(self) -> bool:
         """Whether the recording is as it was when labels were proposed."""
         return self.review is not None and self._stand == self._now()
+
+    @property
+    def least(self) -> float:
+        """The confidence from which on labels are given without being accepted."""
+        return self._settings.get(LEAST_CONFIDENCE)
+
+    def set_least(self, least: float) -> None:
+        """Give labels from another confidence on, and remember it."""
+        self._settings.set(LEAST_CONFIDENCE, least)
+        if self.review is not None:
+            self.review.least = least
 
     def start(self, paths: Sequence[Path], *, keep_names: bool) -> None:
         """Propose labels as labelled recordings have them.

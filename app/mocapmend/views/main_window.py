@@ -327,7 +327,14 @@ class MainWindow(QMainWindow):
         self._show_title()
 
     def _show_notes(self) -> None:
-        self.notes.show_warnings(self.workspace.notes if self.workspace else ())
+        """Tell what was odd in the file, and what could be done about points without a label."""
+        if self.workspace is None:
+            self.notes.show_warnings(())
+            return
+        from mocapmend.renaming import hints
+
+        document = self.workspace.document
+        self.notes.show_warnings((*document.source.warnings, *hints(document.labels)))
 
     def _show_possible(self) -> None:
         """Enable what can be done with the current recording."""

@@ -110,7 +110,9 @@ class MarkerModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ForegroundRole:
             return self._brush(marker)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tip(marker)
+            unknown = self.tr("Nobody has said which marker this is.")
+            tip = self._tip(marker)
+            return f"{tip}\n{unknown}" if marker in self._nameless else tip
         if role == Qt.ItemDataRole.EditRole and not column:
             return self._document.names[marker]
         if role not in (Qt.ItemDataRole.DisplayRole, SORT_ROLE):
@@ -149,10 +151,7 @@ class MarkerModel(QAbstractTableModel):
         tip = self.tr("{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled").format(
             label, len(gaps), longest, round(1000.0 * longest / original.rate), filled
         )
-        lines = [tip, self._segment(marker)]
-        if marker in self._nameless:
-            lines.append(self.tr("Nobody has said which marker this is."))
-        return "\n".join(filter(None, lines))
+        return f"{tip}\n{segment}" if (segment := self._segment(marker)) else tip
 
     def _segment(self, marker: int) -> str:
         """Say with which markers it moves as one."""

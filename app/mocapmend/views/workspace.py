@@ -18,8 +18,7 @@ from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
 from mocapmend.navigation import place_to_begin
 from mocapmend.prospects import Prospects
-from mocapmend.renaming import hints
-from mocapmend.settings import LEAST_CONFIDENCE, RANKING, TRAIL_SECONDS, Settings
+from mocapmend.settings import RANKING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
 from mocapmend.views.dialogs import left_open_dialog
@@ -120,9 +119,6 @@ class Workspace(PanedWindow):
         self.time = TimeActions(document, self.view, self.player, self.timeline, settings, self)
         self.time.message.connect(self.message)
         self.markers = MarkerTable(document, self.view, theme)
-        self.renaming = RenamingActions(document, self.view, self.do, self)
-        self.markers.renamed.connect(self.renaming.rename)
-        self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
         self.repair = RepairPanel(document, self.view, settings, actions)
         self.repairs = RepairTable(document, self.view)
         self.queue = QueuePane(document, self.view, self.prospects, self.survey, settings)
@@ -130,6 +126,7 @@ class Workspace(PanedWindow):
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
+        self._make_labels(jobs, settings, theme, actions)
         source = document.source
         self.analog: AnalogPane | None = None
         if isinstance(source, C3DFile) and source.analog_labels and original.frames:
@@ -139,25 +136,7 @@ class Workspace(PanedWindow):
         if self.analog is not None:
             self.view.span_changed.connect(self.analog.plots.set_span)
         self.history = HistoryPane(document.undo_stack)
-        self.hand_labels = HandLabelActions(document, self.view, self.filling, self.do, self)
-        least = settings.get(LEAST_CONFIDENCE)
-        self.label_search = LabelSearch(document, jobs, least, self)
-        self.labels = LabelPane(
-            document,
-            self.view,
-            self.label_search,
-            self.filling,
-            self.do,
-            settings,
-            theme,
-            actions,
-        )
-        self.label_search.failed.connect(self.failed)
-        for teller in (self.renaming, self.hand_labels, self.label_search, self.labels):
-            teller.message.connect(self.message)
-        self._themed = (
-            *(self.scene, self.plots, self.timeline, self.markers, self.report, self.labels),
-        )
+        self._themed = (self.scene, self.plots, self.timeline, self.markers, self.report)
         self._first: Gap | None = None
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
@@ -230,6 +209,7 @@ class Workspace(PanedWindow):
             part.set_theme(theme)
         if self.analog is not None:
             self.analog.set_theme(theme)
+        self.labels.set_theme(theme)
         self.titles.set_theme(theme)
 
     def stop(self) -> None:
@@ -423,10 +403,20 @@ class Workspace(PanedWindow):
 
     # --- labels ------------------------------------------------------------------------------
 
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What was odd in the file, and what could be done about it."""
-        return (*self.document.source.warnings, *hints(self.document.labels))
+    def _make_labels(
+        self, jobs: Jobs, settings: Settings, theme: Theme, actions: dict[str, QAction]
+    ) -> None:
+        """Make what renames and labels."""
+        document, view, do = self.document, self.view, self.do
+        self.renaming = RenamingActions(document, view, do, self)
+        self.hand_labels = HandLabelActions(document, view, self.filling, do, self)
+        self.label_search = LabelSearch(document, jobs, settings, self)
+        self.labels = LabelPane(document, view, self.label_search, self.filling, do, theme, actions)
+        self.markers.renamed.connect(self.renaming.rename)
+        self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
+        self.label_search.failed.connect(self.failed)
+        for part in (self.renaming, self.hand_labels, self.label_search, self.labels):
+            part.message.connect(self.message)
 
     def rename(self) -> None:
         """Let the user type another name for the current marker."""
