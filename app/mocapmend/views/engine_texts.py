@@ -13,13 +13,14 @@ from mocapmend.errors import MocapmendError
 from mocapmend.views.catalogue.checks import CHECKS, SEPARATOR
 from mocapmend.views.catalogue.corrections import CORRECTIONS
 from mocapmend.views.catalogue.errors import ERRORS
+from mocapmend.views.catalogue.labels import LABELS
 from mocapmend.views.catalogue.reasons import REASONS
 from mocapmend.views.catalogue.smoothing import SMOOTHING
 from mocapmend.views.catalogue.warnings import WARNINGS
 from mocapmend_algorithms.fill.registry import method_label
 from mocapmend_algorithms.smooth.registry import smoother_label
 
-SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *CORRECTIONS, *SMOOTHING)
+SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *CORRECTIONS, *SMOOTHING, *LABELS)
 _PLACE = re.compile(r"\{\d\}")
 _METHOD_LAST = {"fill {0} gaps ({1})", "fill {0} ({1})"}
 """Sentences whose last part is a method's id; a marker may be called like one."""

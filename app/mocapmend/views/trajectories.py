@@ -66,6 +66,7 @@ class Trajectories(PlotCanvas):
         view.candidates_changed.connect(self.repaint_plots)
         view.smoothing_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
+        document.names_changed.connect(self.repaint_plots)
 
     def set_theme(self, theme: Theme) -> None:
         self._painter.theme = theme
