@@ -119,6 +119,30 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Add the markers in view"),
         ("Shift+A",),
     ),
+    ActionSpec(
+        "rename", "Edit", QT_TRANSLATE_NOOP("Actions", "Rename…"), ("F2",), starts_group=True
+    ),
+    ActionSpec(
+        "exchange_names",
+        "Edit",
+        QT_TRANSLATE_NOOP("Actions", "Exchange the names of the two selected markers"),
+        ("Shift+F2",),
+    ),
+    ActionSpec("this_is", "Edit", QT_TRANSLATE_NOOP("Actions", "This is…"), ("F3",)),
+    ActionSpec(
+        "next_nameless",
+        "Edit",
+        QT_TRANSLATE_NOOP("Actions", "Next point without a label"),
+        ("Shift+F3",),
+    ),
+    ActionSpec(
+        "label_from",
+        "Edit",
+        QT_TRANSLATE_NOOP("Actions", "Label from recordings…"),
+        ("Ctrl+I",),
+        starts_group=True,
+    ),
+    ActionSpec("apply_labels", "Edit", QT_TRANSLATE_NOOP("Actions", "Apply the proposed labels")),
     ActionSpec("next_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Next gap"), ("N",)),
     ActionSpec("previous_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous gap"), ("P",)),
     ActionSpec(
@@ -589,6 +613,13 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "View",
         QT_TRANSLATE_NOOP("Actions", "Go to the history"),
         ("Ctrl+Shift+H",),
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
+    ),
+    ActionSpec(
+        "show_labels",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to the labels"),
+        ("Ctrl+Shift+L",),
         submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
     ActionSpec(

@@ -16,7 +16,7 @@ from mocapmend.edits import Contents, Edit, Repair, Smoothed
 from mocapmend.files import Source
 from mocapmend.files.records import NEVER_FILLED
 from mocapmend.layers import Layers
-from mocapmend.names import short_names
+from mocapmend.names import new_names, short_names
 from mocapmend.report import RepairRow, repair_rows
 from mocapmend.shared_recording import Changed, SharedRecording
 from mocapmend.state import ABSENT, SampleState
@@ -186,7 +186,9 @@ class Document(QObject):
     def is_earlier(self, gap: Gap) -> bool:
         """Say whether a gap's repair is the one that the file had when it was opened."""
         repair = self._earlier.get(gap)
-        return repair is not None and self.repairs.get(gap) is repair
+        now = self.repairs.get(gap)
+        # Where its donors are called otherwise it is another object, with the same patch.
+        return repair is not None and now is not None and now.patch is repair.patch
 
     @property
     def stale(self) -> list[Gap]:
@@ -235,12 +237,14 @@ class Document(QObject):
 
     def rename(self, labels: Mapping[int, str]) -> None:
         """Give markers other labels. For undo commands alone."""
-        new = list(self.labels)
+        former, new = self.labels, list(self.labels)
         for marker, label in labels.items():
             new[marker] = label
         self.original = replace(self.original, labels=tuple(new))
         self._believed.rename(tuple(new))
         self.names = short_names(new)
+        calls = new_names(former, new)
+        self.repairs.update({gap: made.renamed(calls) for gap, made in self.repairs.items()})
         # Workers find markers by their labels.
         self._shared = self._shared_base = self._shared_original = self._shared_file = None
         self.names_changed.emit()

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from mocapmend.names import with_donors
 from mocapmend.state import ABSENT, SampleState
 from mocapmend.written import Places, places_of, shares_of
 from mocapmend_algorithms import Gap
@@ -38,6 +39,14 @@ class Repair(NamedTuple):
     patch: Patch
     donors: tuple[str, ...] = ()
     base: int = 0
+
+    def renamed(self, calls: Mapping[str, str]) -> "Repair":
+        """Return it with its donors called as they are now."""
+        donors = tuple(calls.get(label, label) for label in self.donors)
+        params = with_donors(self.params, calls)
+        if donors == self.donors and params is self.params:
+            return self
+        return self._replace(donors=donors, params=params)
 
 
 class Smoothed(NamedTuple):

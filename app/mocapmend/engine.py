@@ -333,6 +333,23 @@ def label(
     return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
 
 
+def label_from(
+    recording: Recording, paths: Sequence[Path], params: LabelParams, progress: Progress
+) -> Labelling:
+    """Propose labels as `label` does, learned from files.
+
+    Raises
+    ------
+    MocapmendError
+        If one of them cannot be read, or nothing can be learned from them.
+    """
+    examples = []
+    for number, path in enumerate(paths):
+        progress(0.1 * number / len(paths))
+        examples.append(read_recording(path).recording)
+    return label(recording, examples, params, part(progress, 0.1, 1.0))
+
+
 @dataclass(frozen=True)
 class Exported:
     """A file that was written, and the proofs that it is right.

@@ -214,7 +214,7 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
         If an edit does not fit the file, or cannot be made.
     """
     planned = plan(source, recipe)
-    results = fill(planned.layers.recording, planned.jobs, progress)
+    results = fill(_called(planned, source), planned.jobs, progress)
     made = earlier(planned.layers, without=planned.reopened)
     for job, result in zip(planned.jobs, results, strict=True):
         made = filled(made, result, job.method, job.params)
@@ -225,6 +225,13 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     for gap in (*planned.freed, *_overlapping(source, gaps, source.kept_open)):
         kept_open.pop(gap, None)
     return replace(made, kept_open=kept_open, renamed=planned.renamed).changes()
+
+
+def _called(planned: Plan, source: Source) -> Recording:
+    """Return what gaps are filled from, with the labels that the donors of a recipe go by."""
+    recording, new = planned.layers.recording, planned.labels(source)
+    labels = tuple(new.get(marker, label) for marker, label in enumerate(recording.labels))
+    return replace(recording, labels=labels, seen=recording.present)
 
 
 def _layers(source: Source, recipe: Recipe) -> Layers:

@@ -1,5 +1,7 @@
 """What the user looks at: frame, selection, gap and preview. All views read it, none owns it."""
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QObject, Signal
 
 from mocapmend.prospects import Preview
@@ -20,6 +22,7 @@ class ViewState(QObject):
     """
 
     candidates_changed = Signal(tuple)
+    proposed_changed = Signal()
     picking_changed = Signal(bool)
     picked = Signal(int)
     frame_changed = Signal(int)
@@ -42,6 +45,8 @@ class ViewState(QObject):
         self.smoothing: tuple[SmoothedRun, ...] = ()
         self.candidates: tuple[tuple[int, Preview], ...] = ()
         self.picking = False
+        self.proposed: Mapping[int, str] = {}
+        """By marker: what it would be called in the current frame."""
         self.visible = (0.0, float(max(1, frames)))
         self.span: tuple[int, int] | None = None
 
@@ -152,6 +157,12 @@ class ViewState(QObject):
         if candidates != self.candidates:
             self.candidates = candidates
             self.candidates_changed.emit(candidates)
+
+    def set_proposed(self, names: Mapping[int, str]) -> None:
+        """Show other names for some markers without renaming them."""
+        if names != self.proposed:
+            self.proposed = names
+            self.proposed_changed.emit()
 
     def set_picking(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
         """Let clicks on markers choose donors, or select again."""

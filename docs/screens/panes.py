@@ -1,5 +1,6 @@
 """The window with each of its panes in front."""
 
+from mocapmend.ranking import Status
 from mocapmend.views.filling import Filling
 from mocapmend.views.samples import sample_recordings
 from mocapmend.views.workspace import Workspace
@@ -25,9 +26,10 @@ def welcome(stage: Stage) -> None:
 
 
 def ranked(stage: Stage) -> Workspace:
-    """Open the recording with many gaps, and wait until they are ranked."""
+    """Open the recording with many gaps; wait until they are ranked, and bad samples are found."""
     workspace = stage.open_sample("sprint_basketball")
     wait_until(lambda: not workspace.survey.running and workspace.survey.portions > 1)
+    wait_until(lambda: workspace.search.suspects.known)
     return workspace
 
 
@@ -76,6 +78,26 @@ def repairing(stage: Stage) -> None:
     stage.do("undo")
     stage.do("widen")
     stage.shoot("widened")
+    stage.do("undo")
+
+
+def problems(stage: Stage) -> None:
+    """Look at bad samples of every kind that is found, fix some, and see what became of them."""
+    workspace = stage.workspace
+    stage.show_pane(workspace.queue)
+    found = {run.kind: run for run in workspace.search.suspects.found}
+    for kind, run in sorted(found.items()):
+        workspace.view.go_to_suspect(run)
+        wait_until(lambda: not workspace.previewer.busy)
+        stage.shoot(f"problem_{kind}")
+    stage.do("fix_all")
+    wait_until(lambda: workspace.search.suspects.known)
+    fixed = next(row for row in range(9) if Status.FIXED in workspace.queue.status.itemData(row))
+    workspace.queue.status.setCurrentIndex(fixed)
+    workspace.view.go_to_suspect(workspace.search.suspects.fixed()[0])
+    wait_until(lambda: not workspace.previewer.busy)
+    stage.shoot("problems_fixed")
+    workspace.queue.status.setCurrentIndex(0)
     stage.do("undo")
 
 

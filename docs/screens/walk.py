@@ -24,6 +24,7 @@ def walk(folder: Path, language: str, size: tuple[int, int], text: float) -> Non
         bare.bare(stage)
         around.tour(stage)
         panes.repairing(stage)
+        panes.problems(stage)
         panes.filling(stage)
         panes.smoothing(stage)
         panes.working(stage)

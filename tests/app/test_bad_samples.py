@@ -511,6 +511,12 @@ class TestByHand:
 
 
 class TestRefusals:
+    def test_what_was_not_looked_for_cannot_be_fixed(self, plain: MainWindow) -> None:
+        told: list[str] = []
+        workspace_of(plain).message.connect(told.append)
+        workspace_of(plain).bad_actions.fix_all()
+        assert told == ["Bad samples are not known yet: look for them first (Ctrl+F)."]
+
     def test_without_bad_samples_at_hand_the_user_is_told(
         self, searched: MainWindow, told: list[str]
     ) -> None:

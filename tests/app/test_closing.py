@@ -45,6 +45,15 @@ def fill(workspace: Workspace) -> None:
     assert workspace.filling.job is not None
 
 
+def correct(workspace: Workspace) -> None:
+    workspace.search.start()
+    workspace.view.select((3, 4))
+    workspace.bad_actions.exchange()
+    workspace.bad_actions.set_aside()
+    workspace.bad_actions.fix_then(("spikes",), workspace.fill_all)
+    workspace.document.undo_stack.setClean()
+
+
 def look_ahead_at_smoothing(workspace: Workspace) -> None:
     workspace.select_all()
     workspace.show_pane(workspace.smooth)
@@ -65,7 +74,7 @@ def big_parts(workspace: Workspace) -> list[ReferenceType[object]]:
 
 
 @pytest.mark.parametrize(
-    "use", [leave_alone, edit, look_around, plan, fill, look_ahead_at_smoothing, smooth]
+    "use", [leave_alone, edit, look_around, plan, fill, correct, look_ahead_at_smoothing, smooth]
 )
 def test_a_closed_recording_leaves_nothing_to_the_garbage_collector(
     use: Callable[[Workspace], None], open_in: Open, gait: Path, qtbot: QtBot

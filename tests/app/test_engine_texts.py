@@ -55,10 +55,10 @@ SPOKEN = (
 )
 """Modules whose sentences reach the window."""
 COMPOSED = {
+    "7 in 7.",
     "7 measured sample7 7; the repair record lists them.",
     "7 of 7 7 are not in the file any more7.",
     "7 sample7 changed places between markers; the repair record lists them.",
-    "7 in 7.",
     "Marker 7: 77, the first at frame 7.",
     "Samples 7 are taken as missing: 7.",
     "The file holds no 3D markers7.",
@@ -122,18 +122,18 @@ def test_catalogue_of_methods_is_what_the_table_has() -> None:
     assert Counter(METHOD_TEXTS).most_common(1)[0][1] == 1
 
 
+def test_catalogue_of_detectors_is_what_the_table_has() -> None:
+    wanted = [text for each in DETECTORS.values() for text in (each.label, each.help)]
+    assert set(DETECTOR_TEXTS) == set(wanted)
+    assert Counter(DETECTOR_TEXTS).most_common(1)[0][1] == 1
+
+
 def test_catalogue_of_smoothing_methods_is_what_their_table_has() -> None:
     wanted = {text for each in SMOOTHERS.values() for text in (each.label, each.help)}
     for smoother in SMOOTHERS.values():
         wanted |= _texts_of(smoother.params)
     assert set(SMOOTHER_TEXTS) == wanted - set(METHOD_TEXTS)
     assert Counter(SMOOTHER_TEXTS).most_common(1)[0][1] == 1
-
-
-def test_catalogue_of_detectors_is_what_the_table_has() -> None:
-    wanted = [text for each in DETECTORS.values() for text in (each.label, each.help)]
-    assert set(DETECTOR_TEXTS) == set(wanted)
-    assert Counter(DETECTOR_TEXTS).most_common(1)[0][1] == 1
 
 
 def test_catalogue_lists_each_sentence_once_with_numbered_places() -> None:

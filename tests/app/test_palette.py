@@ -10,8 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend.action_table import ACTIONS
 from mocapmend.views.main_window import MainWindow
-from mocapmend.views.palette import Palette
-from mocapmend.views.palette_entries import Entry, entries
+from mocapmend.views.palette import Entry, Palette
+from mocapmend.views.palette_entries import entries
 
 Open = Callable[[Path], MainWindow]
 

@@ -13,13 +13,18 @@ from mocapmend import engine
 from mocapmend.changes import Repaired, bare
 from mocapmend.commands import EditSamples
 from mocapmend.document import NO_SKELETON, Document
+from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Renamed, check_files, read_recording
 from mocapmend.files.c3d_reader import C3DFile, read_c3d
 from mocapmend.journal.edits import decode_labels
 from mocapmend.journal.edits import encode as encode_step
 from mocapmend.layers import Layers
+from mocapmend.recipe import read_recipe
+from mocapmend.replaying import replay
+from mocapmend.unsaved import write_recipe
 from mocapmend_algorithms import no_progress
+from mocapmend_algorithms.fill.registry import METHODS
 
 SHORT, LONG = {1: "Hip"}, {1: "LeftHip_of_the_subject", 3: "Zehe ü"}
 
@@ -132,3 +137,25 @@ def test_the_journal_keeps_names(tmp_path: Path) -> None:
     assert decode_labels(json.loads(json.dumps(event)), source.recording) == {2: "Zehe ü"}
     with pytest.raises(ValueError, match="do not fit"):
         decode_labels({"labels": {"9": "x"}}, source.recording)
+
+
+def test_a_recipe_replays_fills_whose_donors_were_renamed(tmp_path: Path) -> None:
+    fourth = np.zeros((60, 4))
+    fourth[20:30, 0] = -1
+    points = walk(60, 4)
+    points[fourth < 0] = 0
+    (tmp_path / "in.c3d").write_bytes(
+        encode(Synthetic(points, fourth=fourth, labels=["A", "B", "C", "D"]))
+    )
+    source = read_c3d(tmp_path / "in.c3d")
+    document = Document(source, NO_SKELETON)
+    params = METHODS["pattern"].params(donors=("B",))
+    result = engine.fill_gap(document.base, document.gaps[0], "pattern", params, no_progress)
+    document.undo_stack.push(EditSamples(document, Edit.fills(result, "pattern", params), "fill"))
+    # Each has the other's name: that of then is not that of now.
+    document.undo_stack.push(EditSamples(document, [], "rename", labels={1: "C", 2: "B"}))
+    write_recipe(document.unsaved(), tmp_path / "recipe.json", no_progress)
+    changes = replay(source, read_recipe(tmp_path / "recipe.json"), no_progress)
+    (entry,) = changes.repairs
+    assert tuple(entry.donors) == ("C",)
+    assert changes.repairs == document.unsaved().changes().repairs

@@ -69,7 +69,9 @@ def changes(
         label = proposal.label if proposal.label in homes else -1
         content[piece.start : piece.stop, piece.point] = label
     exchanges = _gather(content, homes)
-    moved, left_over = _clear(content, homes)
+    # What has a name of its own is no place for what is left over.
+    named = {p.piece.point for p in labelling.proposals if p.kept and p.label is None}
+    moved, left_over = _clear(content, homes, named)
     names = _names(labelling.labels, homes, recording.labels)
     return LabelChanges(names, (*exchanges, *moved), left_over)
 
@@ -106,11 +108,14 @@ def _gather(content: IntArray, homes: dict[int, int]) -> list[Exchange]:
     return made
 
 
-def _clear(content: IntArray, homes: dict[int, int]) -> tuple[list[Exchange], tuple[Gap, ...]]:
+def _clear(
+    content: IntArray, homes: dict[int, int], named: set[int]
+) -> tuple[list[Exchange], tuple[Gap, ...]]:
     """Bring what is no label's out of the points of labels, where there is room."""
     made: list[Exchange] = []
     left = []
-    others = [point for point in range(content.shape[1]) if point not in set(homes.values())]
+    taken = named.union(homes.values())
+    others = [point for point in range(content.shape[1]) if point not in taken]
     for home in homes.values():
         for start, stop in runs(content[:, home] == -1):
             free = next((p for p in others if (content[start:stop, p] == -2).all()), None)

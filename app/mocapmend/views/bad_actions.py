@@ -233,7 +233,10 @@ class BadActions(QObject):
 
     def _fix(self, runs: Sequence[BadRun], text: str) -> None:
         if not runs:
-            self.message.emit(self.tr("There is nothing that could be fixed."))
+            told = self.tr("Bad samples are not known yet: look for them first (Ctrl+F).")
+            if self._search.suspects.known:
+                told = self.tr("There is nothing that could be fixed.")
+            self.message.emit(told)
             return
         exchanges, aside = remedies(runs)
         self._make(step(self._document, exchanges=exchanges, set_aside=aside), text)

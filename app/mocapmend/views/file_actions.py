@@ -1,6 +1,6 @@
 """Opening, exporting and closing: what the user is asked, and the jobs that follow."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,10 +10,11 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 from mocapmend import engine, unsaved
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
-from mocapmend.files import FORMATS, LONG_CSV, same_file
+from mocapmend.files import LONG_CSV, same_file
 from mocapmend.jobs import APART, Job
 from mocapmend.settings import LAST_FOLDER
 from mocapmend.views.dialogs import widen
+from mocapmend.views.file_kinds import all_kinds, kinds
 from mocapmend.views.naming import kind_of, meant, repaired_name
 from mocapmend.views.opening import Opening
 from mocapmend.views.recovery import Recovery
@@ -70,7 +71,7 @@ class FileActions(QObject):
             self._window,
             self.tr("Open recordings"),
             self._window.settings.get(LAST_FOLDER),
-            ";;".join((self._all_kinds(), *self._kinds(), self.tr("All files (*)"))),
+            ";;".join((all_kinds(), *kinds(), self.tr("All files (*)"))),
         )
         for path in paths:
             self.open(Path(path))
@@ -235,14 +236,6 @@ class FileActions(QObject):
         if path.exists() and not self._confirm(replaces, self.tr("There is a file of this name.")):
             return None
         return path
-
-    def _all_kinds(self) -> str:
-        every = " ".join(f"*{end}" for item in FORMATS for end in item.suffixes)
-        return self.tr("Recordings ({0})").format(every)
-
-    def _kinds(self) -> Iterator[str]:
-        for item in FORMATS:
-            yield f"{item.label} ({' '.join(f'*{end}' for end in item.suffixes)})"
 
     def write(self, title: str, function: Callable[..., Any], *args: object) -> Job:
         """Write a file in the background; the window stays open until it is there."""

@@ -70,6 +70,7 @@ class Filling(QObject):
         self._later.timeout.connect(self._go_on)
         self.job: Job | None = None
         document.base_changed.connect(self._give_up)
+        document.names_changed.connect(self._give_up)
 
     def stop(self) -> None:
         """Give up what is being computed: the document is going away."""
@@ -79,7 +80,7 @@ class Filling(QObject):
             self.job = None
 
     def _give_up(self) -> None:
-        """Compute no more from samples that are not believed any more."""
+        """Compute no more from samples that are not believed any more, or called otherwise."""
         if self.job is not None or self._later.isActive():
             self.stop()
             self._then = None

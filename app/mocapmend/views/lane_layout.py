@@ -35,6 +35,10 @@ class LaneLayout:
         self.scroll = 0
         self.gutter = self.text = self.ruler = self.events = self.name_margin = 0
 
+    def set_names(self, names: Sequence[str]) -> None:
+        """Call the markers otherwise; `use_font` makes room for it."""
+        self._names = names
+
     def use_font(self, metrics: QFontMetrics, titles: Sequence[str]) -> None:
         """Take all sizes from a font; titles are what else stands left of the axis."""
         self.text = metrics.height()

@@ -103,15 +103,15 @@ class LanePainter:
         preview: Preview | None,
         others: Candidates = (),
         *,
-        smoothing: Sequence[SmoothedRun] = (),
         suspect: BadRun | None = None,
+        smoothing: Sequence[SmoothedRun] = (),
         same_scale: bool = False,
     ) -> list[Frame]:
         """Paint lanes and return the frames that they were painted in.
 
-        Runs that are not smoothed yet are drawn as they would be, over what they are.
         Other candidates are drawn behind the preview, each with its number, as far as they fit. Of
         a suspect that is to be exchanged it is drawn how it would be; set aside, it is in view.
+        Runs that are not smoothed yet are drawn as they would be, over what they are.
         With the same scale for x, y and z their units are equally high in all lanes.
         """
         self._strips.clear()

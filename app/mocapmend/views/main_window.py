@@ -218,6 +218,7 @@ class MainWindow(QMainWindow):
         stack = workspace.document.undo_stack
         stack.indexChanged.connect(self._show_undo)
         stack.cleanChanged.connect(self._show_title)
+        workspace.document.names_changed.connect(self._show_notes)
         self._keys.guard(workspace)
         workspace.repair.rebuilt.connect(self._guard_repairs)
         workspace.smooth.rebuilt.connect(self._guard_repairs)
@@ -309,7 +310,7 @@ class MainWindow(QMainWindow):
         repairable = workspace is not None and workspace.document.repairable
         self._show_possible()
         self.transport.show_workspace(workspace if repairable else None)
-        self.notes.show_warnings(workspace.document.source.warnings if workspace else ())
+        self._show_notes()
         if workspace is None:
             self._show_recent()
             self.recent.look()
@@ -327,6 +328,16 @@ class MainWindow(QMainWindow):
             )
         self.stack.setCurrentWidget(self.welcome if workspace is None else self.documents)
         self._show_title()
+
+    def _show_notes(self) -> None:
+        """Tell what was odd in the file, and what could be done about points without a label."""
+        if self.workspace is None:
+            self.notes.show_warnings(())
+            return
+        from mocapmend.renaming import hints
+
+        document = self.workspace.document
+        self.notes.show_warnings((*document.source.warnings, *hints(document.labels)))
 
     def _show_possible(self) -> None:
         """Enable what can be done with the current recording."""

@@ -1,21 +1,26 @@
-"""The marker list: how much of each marker is missing, and in how many gaps."""
+"""The marker list: names, how much of each marker is missing, and in how many gaps."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QEvent,
     QItemSelection,
     QItemSelectionModel,
     QModelIndex,
+    QObject,
     QPersistentModelIndex,
     QSortFilterProxyModel,
     Qt,
     QTimer,
+    Signal,
 )
-from PySide6.QtGui import QBrush, QColor, QShowEvent
+from PySide6.QtGui import QAction, QBrush, QColor, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QLabel,
     QLineEdit,
     QTableView,
     QVBoxLayout,
@@ -23,6 +28,7 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.document import Document
+from mocapmend.renaming import without_label
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.engine_texts import segment_name, smoother_name
@@ -37,7 +43,15 @@ TABLE_WIDTH = 180
 
 
 class MarkerModel(QAbstractTableModel):
-    """One row per marker: label, % missing, open gaps, longest gap, repaired samples."""
+    """One row per marker: label, % missing, open gaps, longest gap, repaired samples.
+
+    Signals
+    -------
+    renamed : int, str
+        A marker and the name that the user has typed for it.
+    """
+
+    renamed = Signal(int, str)
 
     def __init__(self, document: Document, theme: Theme) -> None:
         super().__init__()
@@ -50,6 +64,8 @@ class MarkerModel(QAbstractTableModel):
             self.tr("Longest"),
         )
         document.samples_changed.connect(self._refresh)
+        document.names_changed.connect(self._rename)
+        self._nameless = frozenset(without_label(document.labels))
 
     def set_theme(self, theme: Theme) -> None:
         """Colour the rows for another theme."""
@@ -61,6 +77,22 @@ class MarkerModel(QAbstractTableModel):
 
     def columnCount(self, parent: Index = NO_PARENT) -> int:
         return 0 if parent.isValid() else len(self._columns)
+
+    @property
+    def nameless(self) -> int:
+        """Number of points without a label."""
+        return len(self._nameless)
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        flags = super().flags(index)
+        return flags | Qt.ItemFlag.ItemIsEditable if index.column() == 0 else flags
+
+    def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        if role != Qt.ItemDataRole.EditRole or index.column():
+            return False
+        if str(value) != self._document.names[index.row()]:
+            self.renamed.emit(index.row(), str(value))
+        return True
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -78,7 +110,11 @@ class MarkerModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ForegroundRole:
             return self._brush(marker)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tip(marker)
+            unknown = self.tr("Nobody has said which marker this is.")
+            tip = self._tip(marker)
+            return f"{tip}\n{unknown}" if marker in self._nameless else tip
+        if role == Qt.ItemDataRole.EditRole and not column:
+            return self._document.names[marker]
         if role not in (Qt.ItemDataRole.DisplayRole, SORT_ROLE):
             return None
         value = self._value(marker, column)
@@ -101,7 +137,7 @@ class MarkerModel(QAbstractTableModel):
 
     def _brush(self, marker: int) -> QBrush | None:
         gaps, frames = self._document.gaps_of(marker), self._document.original.frames
-        if gaps and gaps[0].length == frames:
+        if marker in self._nameless or (gaps and gaps[0].length == frames):
             return QBrush(QColor(self._theme.dim))
         return None
 
@@ -115,9 +151,9 @@ class MarkerModel(QAbstractTableModel):
         tip = self.tr("{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled").format(
             label, len(gaps), longest, round(1000.0 * longest / original.rate), filled
         )
-        if aside := int(np.diff(self._document.runs(marker, SampleState.BAD), axis=1).sum()):
-            tip += "\n" + self.tr("{0} samples set aside").format(aside)
-        return "\n".join(filter(None, (tip, self._smoothed(marker), self._segment(marker))))
+        aside = int(np.diff(self._document.runs(marker, SampleState.BAD), axis=1).sum())
+        bad = self.tr("{0} samples set aside").format(aside) if aside else ""
+        return "\n".join(filter(None, (tip, bad, self._smoothed(marker), self._segment(marker))))
 
     def _smoothed(self, marker: int) -> str:
         """Say how it is smoothed."""
@@ -140,13 +176,39 @@ class MarkerModel(QAbstractTableModel):
                     return f"{text} ({segment_name(part.name)})" if part.name else text
         return ""
 
+    def _rename(self) -> None:
+        self._nameless = frozenset(without_label(self._document.labels))
+        self._refresh()
+
     def _refresh(self) -> None:
         last = self.index(self.rowCount() - 1, len(self._columns) - 1)
         self.dataChanged.emit(self.index(0, 0), last)
 
 
+class NameDelegate(LabelDelegate):
+    """Lets Enter end the typing of a name, although it is the key of an action too."""
+
+    def eventFilter(self, editor: QObject, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        ):
+            event.accept()
+            return True
+        return super().eventFilter(editor, event)
+
+
 class MarkerTable(QWidget):
-    """The marker list with a filter; its selection is the view state's."""
+    """The marker list with a filter; its selection is the view state's.
+
+    Signals
+    -------
+    renamed : int, str
+        A marker and the name that the user has typed for it.
+    """
+
+    renamed = Signal(int, str)
 
     def __init__(
         self, document: Document, view: ViewState, theme: Theme, parent: QWidget | None = None
@@ -167,15 +229,43 @@ class MarkerTable(QWidget):
         self.filter.setAccessibleName(self.tr("Filter markers"))
         self.filter.textChanged.connect(self._set_filter)
         self.table = self._make_table()
+        self._model.renamed.connect(self.renamed)
+        self.nameless = QLabel()
+        self.nameless.setWordWrap(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
         layout.addWidget(self.filter)
         layout.addWidget(self.table)
+        layout.addWidget(self.nameless)
+        document.names_changed.connect(self._count_nameless)
+        self._count_nameless()
         view.selection_changed.connect(self._follow)
 
     def set_theme(self, theme: Theme) -> None:
         """Colour the rows for another theme."""
         self._model.set_theme(theme)
+
+    def offer(self, actions: Sequence[QAction]) -> None:
+        """Offer actions in the menu of the right mouse button."""
+        self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self.table.addActions(list(actions))
+
+    def edit_name(self, marker: int) -> None:
+        """Let the user type a marker's name where it stands."""
+        if not self._place(marker).isValid():
+            self.filter.clear()
+        place = self._place(marker)
+        self.table.scrollTo(place)
+        self.table.setCurrentIndex(place)
+        self.table.edit(place)
+
+    def _count_nameless(self) -> None:
+        count = self._model.nameless
+        text = self.tr("1 point without a label")
+        if count != 1:
+            text = self.tr("{0} points without a label").format(count)
+        self.nameless.setText(text)
+        self.nameless.setVisible(bool(count))
 
     def _make_table(self) -> QTableView:
         table = QTableView()
@@ -185,7 +275,8 @@ class MarkerTable(QWidget):
         table.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         table.setAccessibleName(self.tr("Markers"))
-        table.setItemDelegateForColumn(0, LabelDelegate(table))
+        table.setItemDelegateForColumn(0, NameDelegate(table))
+        table.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked)
         widths = {}
         for column, widest in ((1, "100.0 %"), (2, "0000"), (3, "00000")):
             texts = (widest, str(self._model.headerData(column, Qt.Orientation.Horizontal)))

@@ -1,6 +1,7 @@
 """The command palette: type what to do."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPalette
@@ -17,12 +18,32 @@ from PySide6.QtWidgets import (
 )
 
 from mocapmend.views.fuzzy import ranked
-from mocapmend.views.palette_entries import Entry
 from mocapmend.views.tables import dress
 from mocapmend.views.text_scale import fit_text
 
 SIZE = (620, 420)
 _MOVES = {Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown}
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A line of the palette.
+
+    Attributes
+    ----------
+    text, place, keys : str
+        What it is, the menu that it is in, and its shortcuts.
+    run : callable
+        Does it.
+    refusal : str
+        Why it cannot be done now; empty if it can.
+    """
+
+    text: str
+    place: str
+    keys: str
+    run: Callable[[], object]
+    refusal: str = ""
 
 
 class Palette(QDialog):

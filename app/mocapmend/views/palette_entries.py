@@ -1,7 +1,6 @@
 """What the command palette offers: all actions, the recent files, the panes and the layouts."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,32 +9,12 @@ from PySide6.QtCore import QCoreApplication
 
 from mocapmend.action_table import ACTIONS, ActionSpec
 from mocapmend.actions import key_texts, menu_name, submenu_of
+from mocapmend.views.palette import Entry
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
 
 translate = QCoreApplication.translate
-
-
-@dataclass(frozen=True)
-class Entry:
-    """A line of the palette.
-
-    Attributes
-    ----------
-    text, place, keys : str
-        What it is, the menu that it is in, and its shortcuts.
-    run : callable
-        Does it.
-    refusal : str
-        Why it cannot be done now; empty if it can.
-    """
-
-    text: str
-    place: str
-    keys: str
-    run: Callable[[], object]
-    refusal: str = ""
 
 
 def entries(window: "MainWindow") -> list[Entry]:

@@ -51,6 +51,10 @@ class ParamsForm(QWidget):
         self._kind: type[Any] | None = None
         self._getters: dict[str, Getter] = {}
 
+    def set_markers(self, markers: Mapping[str, str]) -> None:
+        """Call the markers otherwise in the fields that are made from now on."""
+        self._markers = markers
+
     def show_params(self, params: Any) -> None:
         """Make the fields of a parameter class, with the values of one of its instances."""
         kind = type(params)

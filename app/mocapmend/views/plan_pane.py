@@ -171,6 +171,7 @@ class PlanPane(QWidget):
         for signal in (
             document.samples_changed,
             document.left_open_changed,
+            document.names_changed,
             repair.ways_changed,
             repair.limits.changed,
             filling.computed,

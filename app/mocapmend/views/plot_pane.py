@@ -61,6 +61,7 @@ class PlotPane(QWidget):
         layout.addWidget(self.trajectories, 1)
         view.selection_changed.connect(self._offer_bones)
         document.skeleton_changed.connect(self._offer_bones)
+        document.names_changed.connect(self._offer_bones)
         self._offer_bones()
         self._show_choice()
         for name in CHOICES:

@@ -52,6 +52,7 @@ class Previewer(QObject):
         view.gap_changed.connect(self._refresh)
         view.suspect_changed.connect(self._refresh)
         document.samples_changed.connect(self._refresh)
+        document.names_changed.connect(self._refresh)
 
     def choose(self, chosen: Way, others: Sequence[Way]) -> None:
         """Preview with another way, beside other candidates in the order of their numbers."""

@@ -1,10 +1,9 @@
 """Recipes and checks: what was done to a recording, done again, and proved."""
 
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, replaying, unsaved
@@ -198,7 +197,7 @@ class ProofActions(QObject):
         if not self._is_as_it_was(workspace, revision):
             return
         edits = replayed(document, planned, results)
-        if not edits and not corrected and not planned.smoothing:
+        if not (edits or corrected or planned.smoothing):
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
         if edits:
@@ -208,41 +207,10 @@ class ProofActions(QObject):
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
         told = text.format(len(edits) + corrected)
-        if not planned.smoothing:
-            self._window.say(told)
-            return
-        smooth = partial(self._smooth, workspace, path, planned.smoothing, told)
-        if workspace.filling.job is None:
-            smooth()
+        if planned.smoothing:
+            self._smooth(workspace, path, planned.smoothing, told)
         else:
-            # At last, from what lies beneath then.
-            workspace.filling.ended.connect(smooth, Qt.ConnectionType.SingleShotConnection)
-
-    def _smooth(
-        self,
-        workspace: "Workspace",
-        path: Path,
-        jobs: tuple[replaying.SmoothJob, ...],
-        told: str,
-    ) -> None:
-        """Smooth what a recipe smooths, now that its other edits are made."""
-        document, revision = workspace.document, workspace.document.revision
-
-        def accept(results: list[SmoothResult]) -> None:
-            if not self._is_as_it_was(workspace, revision):
-                return
-            edits = [
-                edit for result in results for edit in Edit.smoothings(result, document.beneath)
-            ]
-            workspace.push(edits, f"replay the smoothing of {path.name}")
-            text = self.tr("{0} Stretches smoothed again: {1}.")
-            self._window.say(text.format(told, len(edits)))
-
-        title = self.tr("Replaying {0}").format(path.name)
-        shared = document.share_beneath()
-        job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
-        job.finished.connect(accept)
-        job.failed.connect(self._window.show_error)
+            self._window.say(told)
 
     def _is_as_it_was(self, workspace: "Workspace", revision: int) -> bool:
         """Say whether a recording is open still, and has not been edited meanwhile."""
@@ -273,6 +241,32 @@ class ProofActions(QObject):
         text = f"correct as in {path.name}"
         workspace.do(EditSamples(document, edits, text, correction, labels))
         return len(correction.runs) + len(labels)
+
+    def _smooth(
+        self,
+        workspace: "Workspace",
+        path: Path,
+        jobs: tuple[replaying.SmoothJob, ...],
+        told: str,
+    ) -> None:
+        """Smooth what a recipe smooths, now that its other edits are made."""
+        document, revision = workspace.document, workspace.document.revision
+
+        def accept(results: list[SmoothResult]) -> None:
+            if not self._is_as_it_was(workspace, revision):
+                return
+            edits = [
+                edit for result in results for edit in Edit.smoothings(result, document.beneath)
+            ]
+            workspace.push(edits, f"replay the smoothing of {path.name}")
+            text = self.tr("{0} Stretches smoothed again: {1}.")
+            self._window.say(text.format(told, len(edits)))
+
+        title = self.tr("Replaying {0}").format(path.name)
+        shared = document.share_beneath()
+        job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
+        job.finished.connect(accept)
+        job.failed.connect(self._window.show_error)
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()

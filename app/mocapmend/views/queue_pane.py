@@ -104,6 +104,7 @@ class QueuePane(QWidget):
         self.model.dataChanged.connect(self._show_said)
         document.samples_changed.connect(self._timer.start)
         document.left_open_changed.connect(self._timer.start)
+        document.names_changed.connect(self._timer.start)
         survey.advanced.connect(self._timer.start)
         search.changed.connect(self._take_anew)
         view.gap_changed.connect(self._follow)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from mocapmend.document import Document
 from mocapmend.files.records import NO_REASON
+from mocapmend.names import new_names, with_donors
 from mocapmend.prospects import Preview, Way
 from mocapmend.settings import COMPARE, METHOD, Settings
 from mocapmend.suspects import Suspects
@@ -72,7 +73,8 @@ class RepairPanel(QScrollArea):
         self._settings = settings
         self._params: dict[str, Any] = {}
         """By method id: what the user has changed lasts as long as the recording is open."""
-        self._names = dict(zip(document.original.labels, document.names, strict=True))
+        self._labels = document.labels
+        self._names = dict(zip(document.labels, document.names, strict=True))
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -98,6 +100,7 @@ class RepairPanel(QScrollArea):
         view.picked.connect(self._pick)
         document.samples_changed.connect(self._show_gap)
         document.left_open_changed.connect(self._show_gap)
+        document.names_changed.connect(self._rename)
         self._show_gap()
 
     def _take_room(self) -> None:
@@ -202,7 +205,7 @@ class RepairPanel(QScrollArea):
         if not self._settings.get(COMPARE):
             self._candidates.hide()
         self._candidates.picked.connect(self._choose)
-        self._form = ParamsForm({name: label for label, name in self._names.items()})
+        self._form = ParamsForm(self._markers())
         self._form.changed.connect(self._take_params)
         self._form.rebuilt.connect(self.rebuilt)
         self._promise = QLabel()
@@ -282,6 +285,23 @@ class RepairPanel(QScrollArea):
         gap = self._view.gap
         if gap is None or marker != gap.marker:
             self._form.pick(self._document.original.labels[marker])
+
+    def _markers(self) -> dict[str, str]:
+        """Return the labels of the markers by what they are called here."""
+        return {name: label for label, name in self._names.items()}
+
+    def _rename(self) -> None:
+        """Follow other names; what was said about donors goes on to mean the same markers."""
+        document = self._document
+        calls = new_names(self._labels, document.labels)
+        # The form may hold what it has not told yet.
+        self._params[self._method.method.id] = self._form.params()
+        self._params = {key: with_donors(params, calls) for key, params in self._params.items()}
+        self._labels = document.labels
+        self._names = dict(zip(document.labels, document.names, strict=True))
+        self._form.set_markers(self._markers())
+        self._show_method()
+        self._show_gap()
 
     def _offer_donors(self) -> None:
         """Let the other selected markers be taken over as donors."""

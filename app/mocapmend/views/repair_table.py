@@ -38,7 +38,6 @@ class RepairModel(QAbstractTableModel):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
-        self._names = dict(zip(document.original.labels, document.names, strict=True))
         self._rows: list[tuple[Gap, Repair]] = []
         self._columns = (
             self.tr("Marker"),
@@ -50,6 +49,7 @@ class RepairModel(QAbstractTableModel):
             self.tr("Donors"),
         )
         document.samples_changed.connect(self._refresh)
+        document.names_changed.connect(self._refresh)
         self._refresh()
 
     def gap(self, row: int) -> Gap:
@@ -116,7 +116,8 @@ class RepairModel(QAbstractTableModel):
 
     def _refresh(self) -> None:
         self.beginResetModel()
-        repairs = self._document.repairs
+        document, repairs = self._document, self._document.repairs
+        self._names = dict(zip(document.labels, document.names, strict=True))
         self._rows = sorted(repairs.items(), key=lambda row: (row[0].start, row[0].marker))
         self.endResetModel()
 

@@ -73,8 +73,11 @@ class ReportFacts:
         corrected = () if command.correction is None else command.correction.runs
         runs = {*(edit.gap for edit in command.edits), *corrected}
         # What is smoothed keeps its fills.
-        fills = (edit for edit in command.edits if edit.repair and edit.smoothed is None)
-        filled = (np.count_nonzero(edit.states == SampleState.FILLED) for edit in fills)
+        filled = (
+            np.count_nonzero(edit.states == SampleState.FILLED)
+            for edit in command.edits
+            if edit.repair and edit.smoothed is None
+        )
         return EditRow(
             text=command.text(),
             markers=len({run.marker for run in runs}),

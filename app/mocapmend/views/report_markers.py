@@ -32,7 +32,6 @@ class MarkerReportModel(QAbstractTableModel):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
-        self._names = document.names
         self._rate = document.original.rate
         self._rows: tuple[MarkerRow, ...] = ()
         self._columns = (
@@ -95,7 +94,7 @@ class MarkerReportModel(QAbstractTableModel):
     def _values(self, marker: int, row: MarkerRow) -> tuple[str | float | int, ...]:
         error = row.worst_error_mm
         return (
-            self._names[marker],
+            self._document.names[marker],
             row.missing_before,
             row.missing_after,
             row.gaps_before,

@@ -67,6 +67,7 @@ class ReportPane(QWidget):
         self._timer.start()
         document.samples_changed.connect(self._timer.start)
         document.skeleton_changed.connect(self._timer.start)
+        document.names_changed.connect(self._timer.start)
         view.frame_changed.connect(self._move_playheads)
 
     @cached_property

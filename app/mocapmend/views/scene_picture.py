@@ -96,6 +96,8 @@ class ScenePicture(QWidget):
             view.candidates_changed,
             view.picking_changed,
             document.samples_changed,
+            document.names_changed,
+            view.proposed_changed,
         ):
             signal.connect(self.update)
 
@@ -256,7 +258,9 @@ class ScenePicture(QWidget):
         names = []
         if "segments" in layers:
             names = paint_segment_names(shot, skeleton.segments)
-        labelled = range(len(places)) if "labels" in layers else self._view.selection
+        # What is proposed is seen without asking for it.
+        some = (*self._view.proposed, *self._view.selection)
+        labelled = range(len(places)) if "labels" in layers else some
         paint_labels(shot, places, labelled, names)
         paint_axes(shot)
         captions = []

@@ -52,6 +52,7 @@ class Survey(QObject):
         """How many were computed."""
         document.base_changed.connect(self._abandon)
         document.samples_changed.connect(self._go_on)
+        document.names_changed.connect(self._begin_again)
 
     def start(self) -> None:
         """Begin, or go on."""
@@ -67,6 +68,11 @@ class Survey(QObject):
         if self._job is not None:
             self._job.abandon()
             self._job = None
+
+    def _begin_again(self) -> None:
+        """Compute nothing with former names: parameters and results name markers."""
+        self._abandon()
+        self._go_on()
 
     @property
     def running(self) -> bool:

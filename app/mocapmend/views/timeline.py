@@ -77,6 +77,7 @@ class Timeline(QAbstractScrollArea):
         ):
             signal.connect(self._repaint)
         document.samples_changed.connect(self._forget)
+        document.names_changed.connect(self._rename)
         view.selection_changed.connect(self._show_lane)
         self._use_font()
 
@@ -269,6 +270,10 @@ class Timeline(QAbstractScrollArea):
     def _forget(self) -> None:
         self._lanes.forget()
         self._repaint()
+
+    def _rename(self) -> None:
+        self._layout.set_names(self._document.names)
+        self._use_font()
 
     def _scroll(self, value: int) -> None:
         self._layout.scroll = value

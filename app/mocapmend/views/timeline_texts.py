@@ -36,6 +36,15 @@ def lane_tip(
     return text.format(label, first, last, gap.length, round(1000.0 * gap.length / original.rate))
 
 
+def suspect_tip(document: Document, run: BadRun) -> str:
+    """Return the tooltip of bad samples."""
+    original = document.original
+    first, last = run.start + original.first_frame, run.stop - 1 + original.first_frame
+    text = translate("TimelineTexts", "{0}, frames {1} to {2}")
+    text = text.format(title_text(run, document.labels), first, last)
+    return "\n".join(filter(None, (text, score_text(run), reason_text(run))))
+
+
 def _smoothed_tip(document: Document, run: Gap, made: Smoothed) -> str:
     original = document.original
     text = translate("TimelineTexts", "{0}: smoothed, frames {1} to {2} ({3}, moved by {4} mm RMS)")
@@ -46,15 +55,6 @@ def _smoothed_tip(document: Document, run: Gap, made: Smoothed) -> str:
         smoother_name(made.method),
         f"{made.rms * original.mm:.2f}",
     )
-
-
-def suspect_tip(document: Document, run: BadRun) -> str:
-    """Return the tooltip of bad samples."""
-    original = document.original
-    first, last = run.start + original.first_frame, run.stop - 1 + original.first_frame
-    text = translate("TimelineTexts", "{0}, frames {1} to {2}")
-    text = text.format(title_text(run, document.labels), first, last)
-    return "\n".join(filter(None, (text, score_text(run), reason_text(run))))
 
 
 def event_tip(document: Document, event: Event) -> str:

@@ -66,6 +66,7 @@ class Trajectories(PlotCanvas):
         view.candidates_changed.connect(self.repaint_plots)
         view.smoothing_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
+        document.names_changed.connect(self.repaint_plots)
 
     def set_theme(self, theme: Theme) -> None:
         self._painter.theme = theme
@@ -163,8 +164,8 @@ class Trajectories(PlotCanvas):
             self._view.visible,
             self._view.preview,
             self._view.others,
-            smoothing=self._view.smoothing,
             suspect=self._view.suspect,
+            smoothing=self._view.smoothing,
             same_scale=self._same_scale,
         )
         if self._separate:

@@ -27,7 +27,12 @@ from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
+from mocapmend.views.hand_label_actions import HandLabelActions
 from mocapmend.views.history_pane import HistoryPane
+from mocapmend.views.label_chooser import LabelChooser
+from mocapmend.views.label_dialog import LabelDialog
+from mocapmend.views.label_pane import LabelPane
+from mocapmend.views.label_search import LabelSearch
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.paned_window import PanedWindow
 from mocapmend.views.plan_pane import PlanPane
@@ -36,6 +41,7 @@ from mocapmend.views.plot_pane import PlotPane
 from mocapmend.views.previewer import Previewer
 from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.reason_dialog import ReasonDialog
+from mocapmend.views.renaming_actions import RenamingActions
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_facts import ReportFacts
@@ -59,6 +65,8 @@ GOOD_BOTTOM = 0.22
 SIDE, MOST_SIDE = 0.2, 0.3
 """Shares of the window that they take, and that they take at most when texts are large."""
 BEGIN_MS = 50
+BONES_MS = 300
+"""After other names came: bones are looked for once, also where several steps are undone."""
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
 MANY_RUNS = 500
@@ -104,6 +112,7 @@ class Workspace(PanedWindow):
         self.prospects = Prospects()
         # Before all that asks them what to do.
         document.base_changed.connect(self.prospects.clear)
+        document.names_changed.connect(self.prospects.clear)
         self.survey = Survey(document, self.prospects, jobs, self)
         self.search = BadSearch(document, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
@@ -131,6 +140,7 @@ class Workspace(PanedWindow):
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
+        self._make_labels(jobs, settings, theme, actions)
         source = document.source
         self.analog: AnalogPane | None = None
         if isinstance(source, C3DFile) and source.analog_labels and original.frames:
@@ -152,6 +162,11 @@ class Workspace(PanedWindow):
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._searching: Job | None = None
+        self._bones_timer = QTimer(self)
+        self._bones_timer.setSingleShot(True)
+        self._bones_timer.setInterval(BONES_MS)
+        self._bones_timer.timeout.connect(self._search_skeleton)
+        document.names_changed.connect(self._forget_skeleton)
         self._arrange()
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
@@ -169,7 +184,7 @@ class Workspace(PanedWindow):
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
         working = (self.previewer, self.report, self.survey, self.search, self.filling)
-        for part in (*working, self.bad_actions, self.smoothing):
+        for part in (*working, self.smoothing, self.bad_actions):
             part.failed.connect(self.failed)
         self.taken_off = TakenOff(document.undo_stack, self)
         self.taken_off.message.connect(self.message)
@@ -221,11 +236,14 @@ class Workspace(PanedWindow):
             part.set_theme(theme)
         if self.analog is not None:
             self.analog.set_theme(theme)
+        self.labels.set_theme(theme)
         self.titles.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
         self._begin_timer.stop()
+        self._bones_timer.stop()
+        self.label_search.stop()
         self.player.pause()
         self.previewer.stop()
         self.survey.stop()
@@ -240,11 +258,18 @@ class Workspace(PanedWindow):
         if self._searching is not None:
             self._searching.abandon()
 
+    def _forget_skeleton(self) -> None:
+        """Look for other bones: which are known depends on what the markers are called."""
+        if self.document.found_skeleton is not None and not self.document.source.bones:
+            self._bones_timer.start()
+
     def _search_skeleton(self) -> None:
+        if self._searching is not None:
+            self._searching.abandon()
         job = self._jobs.compute(
             self.tr("Skeleton"),
             engine.search_skeleton,
-            self.document.share_original(),
+            self.document.share_base(),
             quiet=True,
         )
         job.finished.connect(self.document.set_skeleton)
@@ -413,6 +438,54 @@ class Workspace(PanedWindow):
             self.facts.about(),
         )
 
+    # --- labels ------------------------------------------------------------------------------
+
+    def _make_labels(
+        self, jobs: Jobs, settings: Settings, theme: Theme, actions: dict[str, QAction]
+    ) -> None:
+        """Make what renames and labels."""
+        document, view, do = self.document, self.view, self.do
+        self.renaming = RenamingActions(document, view, do, self)
+        self.hand_labels = HandLabelActions(document, view, self.filling, do, self)
+        self.label_search = LabelSearch(document, jobs, settings, self)
+        self.labels = LabelPane(document, view, self.label_search, self.filling, do, theme, actions)
+        self.markers.renamed.connect(self.renaming.rename)
+        self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
+        self.label_search.failed.connect(self.failed)
+        for part in (self.renaming, self.hand_labels, self.label_search, self.labels):
+            part.message.connect(self.message)
+
+    def rename(self) -> None:
+        """Let the user type another name for the current marker."""
+        marker = self.view.marker
+        if marker is None:
+            self.message.emit(self.tr("Select a marker first."))
+        elif self.raise_pane(self.markers):
+            # Later: what was behind another pane is enabled when it is seen.
+            QTimer.singleShot(0, self.markers, lambda: self.markers.edit_name(marker))
+
+    def ask_label(self) -> None:
+        """Ask which marker the current one is; nothing waits for the answer."""
+        choices, marker = self.hand_labels.choices(), self.view.marker
+        if choices is None or marker is None:
+            return
+        names, take = self.document.names, self.hand_labels.this_is
+        free, taken = ([names[other] for other in some] for some in choices)
+        LabelChooser(names[marker], free, taken, take, self).open()
+
+    def ask_labels(self) -> None:
+        """Ask which recordings labels are to be learned from; nothing waits for the answer."""
+        if self.label_search.job is not None:
+            self.message.emit(self.tr("Labels are being looked for already."))
+            return
+        dialog = LabelDialog(self._settings, self)
+        dialog.chosen.connect(self._search_labels)
+        dialog.open()
+
+    def _search_labels(self, paths: list[Path], keep_names: bool) -> None:  # noqa: FBT001 - a slot
+        self.label_search.start(paths, keep_names=keep_names)
+        self.show_pane(self.labels)
+
     # --- time --------------------------------------------------------------------------------
 
     def step_frames(self, frames: int) -> None:
@@ -462,6 +535,9 @@ class Workspace(PanedWindow):
         report = self.dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
         history = self.dock("history", self.tr("History"), self.history, areas.BottomDockWidgetArea)
         bottom = [timeline, plan, repairs, report, history]
+        bottom.append(
+            self.dock("labels", self.tr("Labels"), self.labels, areas.BottomDockWidgetArea)
+        )
         if self.analog is not None:
             bottom.append(
                 self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)

@@ -60,6 +60,30 @@
         <translation>加选视图内的标记点</translation>
     </message>
     <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the names of the two selected markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next point without a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label from recordings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the proposed labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Next gap</source>
         <translation>下一个缺失段</translation>
     </message>
@@ -420,6 +444,10 @@
         <translation>转到历史</translation>
     </message>
     <message>
+        <source>Go to the labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Next recording</source>
         <translation>下一个记录</translation>
     </message>
@@ -659,6 +687,10 @@
     <message>
         <source>Exchanged in {0} frames, from frame {1} on.</source>
         <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
+    </message>
+    <message>
+        <source>Bad samples are not known yet: look for them first (Ctrl+F).</source>
+        <translation>尚不知道坏采样：请先查找 (Ctrl+F)。</translation>
     </message>
     <message>
         <source>There is nothing that could be fixed.</source>
@@ -1142,6 +1174,25 @@
     </message>
 </context>
 <context>
+    <name>HandLabelActions</name>
+    <message>
+        <source>Select a marker first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is called {1} now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames {0} to {1} of {2} are {3} now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points that are seen have labels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HistoryPage</name>
     <message>
         <source>Nothing is edited yet. Edits are listed here.</source>
@@ -1228,6 +1279,224 @@
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>LabelChooser</name>
+    <message>
+        <source>free here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is seen here: the two are exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which marker it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter gives the new label {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelDialog</name>
+    <message>
+        <source>Label from recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose labelled recordings of the same marker set, best of the same subject. Nothing is changed before you have looked at the proposals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labelled recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the names that this recording has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: label all points anew, also those that have names of the marker set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>LabelModel</name>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sure enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too unsure to be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelPane</name>
+    <message>
+        <source>There is nothing to be labelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces labelled: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces labelled: {0}. Samples set aside, for want of a point: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label of this piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another label for this piece; those that are free at that time come first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject (Del)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels that are less sure are not given, unless you accept them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished">应用</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label from recordings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels for points that have none, or that are in pieces, can be learned from recordings of the same marker set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels are being looked for…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points have names that the labelled recordings have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least {0} % sure: {1} of {2} pieces get a label.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applied. Undo brings the proposals back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ The recording was edited since: run it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (another piece has it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelSearch</name>
+    <message>
+        <source>Labelling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels are proposed for {0} pieces; nothing is changed yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points have names that the labelled recordings have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled: no labels are proposed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelTable</name>
+    <message>
+        <source>Proposed labels</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1364,6 +1633,10 @@
         <translation>最长</translation>
     </message>
     <message>
+        <source>Nobody has said which marker this is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: never seen in this recording</source>
         <translation>{0}：在此记录中从未出现</translation>
     </message>
@@ -1488,6 +1761,14 @@
     <message>
         <source>Filter markers</source>
         <translation>筛选标记点</translation>
+    </message>
+    <message>
+        <source>1 point without a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} points without a label</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Markers</source>
@@ -2578,12 +2859,12 @@
         <translation>正在检查 {0}</translation>
     </message>
     <message>
-        <source>{0} Stretches smoothed again: {1}.</source>
-        <translation>{0} 已重新平滑的区段：{1} 个。</translation>
-    </message>
-    <message>
         <source>The recording was edited meanwhile: replay again.</source>
         <translation>记录在此期间被编辑过：请重新重放。</translation>
+    </message>
+    <message>
+        <source>{0} Stretches smoothed again: {1}.</source>
+        <translation>{0} 已重新平滑的区段：{1} 个。</translation>
     </message>
     <message>
         <source>The recipe has nothing to do here.</source>
@@ -3013,6 +3294,29 @@
     <message>
         <source>Recordings with edits that can be recovered</source>
         <translation>有可恢复编辑的记录</translation>
+    </message>
+</context>
+<context>
+    <name>RenamingActions</name>
+    <message>
+        <source>{0} is called {1} now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ {0} is called {1} now, as another marker is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the two markers whose names are to be exchanged, and no other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both have the same name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1} have each other&apos;s name now.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5380,6 +5684,122 @@
         <source>window_ms must be at least {0} ms at {1} Hz: order {2} needs {3} frames, and {4} ms are {5}</source>
         <translation>窗口至少须为 {0} ms（{1} Hz 时）：{2} 阶需要 {3} 帧，而 {4} ms 只有 {5} 帧</translation>
     </message>
+    <message>
+        <source>rename {0} to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exchange the names of {0} and {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label {0} pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label {0} as {1}, frames {2} to {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has this name already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has a name that the labelled recordings do not have, and is left alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {0} mm from where the other markers put {1}; no other label fits nearly as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {0} mm from where the other markers put {1}, but {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its distances to the other markers are those of {0}; no other label fits nearly as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its distances to the other markers are those of {0}, but {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it may as well be no marker at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} fits nearly as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left and right can hardly be told apart: with {0} labels in each other&apos;s place, and {1} here, the body fits nearly as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the shape of the body that was learned, it may be {0} throughout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other pieces with this label fit better</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few points are seen at once to tell which labels they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is where no label would be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is most like {0}, but other points fit that better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A marker needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name must not have line breaks or other control characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This name is too long: it takes {0} bytes, and a C3D file has room for {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marker is not seen in the selected frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marker is not seen in this frame: go to one in which it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marker has this label already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point has this label, and this one has another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the marker, or choose a label that a point has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recordings to learn from show {0} named markers; at least {1} are needed that are seen together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} points have no label. “Label from recordings…” in the Edit menu finds out which markers they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ShortcutsDialog</name>
@@ -5897,12 +6317,12 @@
         <translation>{0}：第 {1} 至 {2} 帧缺失，共 {3} 帧 ({4} ms)</translation>
     </message>
     <message>
-        <source>{0}: smoothed, frames {1} to {2} ({3}, moved by {4} mm RMS)</source>
-        <translation>{0}：已平滑，第 {1} 至 {2} 帧（{3}，移动量均方根 {4} mm）</translation>
-    </message>
-    <message>
         <source>{0}, frames {1} to {2}</source>
         <translation>{0}，第 {1} 至 {2} 帧</translation>
+    </message>
+    <message>
+        <source>{0}: smoothed, frames {1} to {2} ({3}, moved by {4} mm RMS)</source>
+        <translation>{0}：已平滑，第 {1} 至 {2} 帧（{3}，移动量均方根 {4} mm）</translation>
     </message>
     <message>
         <source>{0}, frame {1}, {2} s</source>
@@ -6170,6 +6590,14 @@
         <translation>导出 {0} 之后又有编辑。</translation>
     </message>
     <message>
+        <source>Select a marker first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels are being looked for already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Analog</source>
         <translation>模拟通道</translation>
     </message>
@@ -6204,6 +6632,10 @@
     <message>
         <source>History</source>
         <translation>历史</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Smooth</source>

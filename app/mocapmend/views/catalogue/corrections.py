@@ -127,8 +127,6 @@ CHECKED = (
         "Marker {0}: {1} set aside were not measured as the repair record says, the first at "
         "frame {2}.",
     ),
-    QT_TRANSLATE_NOOP("Sentences", "1 sample"),
-    QT_TRANSLATE_NOOP("Sentences", "{0} samples"),
     QT_TRANSLATE_NOOP(
         "Sentences",
         "The repair record lists exchanges that contradict each other.",
@@ -157,8 +155,6 @@ CHECKED = (
         "The parameters of this file have no room for the label {0}.",
     ),
     QT_TRANSLATE_NOOP("Sentences", "Choose shorter labels, or save it as another format."),
-    QT_TRANSLATE_NOOP("Sentences", "This cannot be smoothed: {0}."),
-    QT_TRANSLATE_NOOP("Sentences", "Choose other parameters, or another method."),
 )
 """What files and their checks say of corrections."""
 

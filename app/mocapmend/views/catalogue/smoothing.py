@@ -1,4 +1,4 @@
-"""Smoothing methods and what is said about smoothing, for Qt Linguist."""
+"""Smoothing methods and what is said about smoothing and other corrections, for Qt Linguist."""
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
@@ -106,6 +106,10 @@ SMOOTHING = (
     QT_TRANSLATE_NOOP("Sentences", "replay the smoothing of {0}"),
     QT_TRANSLATE_NOOP("Sentences", "There are no samples."),
     QT_TRANSLATE_NOOP("Sentences", "Only {0} on end: this needs at least {1}."),
+    QT_TRANSLATE_NOOP("Sentences", "1 sample"),
+    QT_TRANSLATE_NOOP("Sentences", "{0} samples"),
+    QT_TRANSLATE_NOOP("Sentences", "This cannot be smoothed: {0}."),
+    QT_TRANSLATE_NOOP("Sentences", "Choose other parameters, or another method."),
     QT_TRANSLATE_NOOP("Sentences", "order must be an even number from 2, not {0}"),
     QT_TRANSLATE_NOOP(
         "Sentences",

@@ -50,6 +50,12 @@ class Shot:
     height: int
     pixels: Array
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What the markers are called in this frame: as is proposed, where something is."""
+        proposed = self.view.proposed
+        return tuple(proposed.get(k, name) for k, name in enumerate(self.document.names))
+
     def project(self, points: Array) -> Array:
         """Return where points of the file, shape (n, 3), are in the picture, shape (n, 2)."""
         return self.camera.project(points @ self.turn, self.width, self.height)[0]

@@ -21,7 +21,7 @@ def place_labels(
     The current marker has its label first, then the other selected ones, at another side where
     there is more room; a label that would lie over another, or over other texts, is left out.
     """
-    labels, metrics = shot.document.names, shot.painter.fontMetrics()
+    labels, metrics = shot.names, shot.painter.fontMetrics()
     wanted = set(markers)
     selected = [marker for marker in reversed(shot.view.selection) if marker in wanted]
     found: dict[int, QRectF] = {}
@@ -56,14 +56,15 @@ def paint_labels(
     shot: Shot, places: Array, markers: Iterable[int], others: Sequence[QRectF] = ()
 ) -> None:
     """Write labels beside their markers' places in the picture, as far as they keep apart."""
-    labels, selection = shot.document.names, set(shot.view.selection)
+    labels, selection = shot.names, set(shot.view.selection)
     metrics = shot.painter.fontMetrics()
     ink, dim, ground = (QColor(getattr(shot.theme, name)) for name in ("text", "dim", "base"))
     ground.setAlpha(GROUND)
+    proposed = dict.fromkeys(shot.view.proposed, QColor(shot.theme.preview))
     for marker, box in place_labels(shot, places, markers, others).items():
         if marker in selection:
             shot.painter.fillRect(box.adjusted(-2, 0, 2, 0), ground)
-        shot.painter.setPen(ink if marker in selection else dim)
+        shot.painter.setPen(ink if marker in selection else proposed.get(marker, dim))
         # One more: at fractional scales a text is wider than the pixels that it is said to be.
         text = elided(labels[marker], metrics, round(box.width()) + 1)
         shot.painter.drawText(box.topLeft() + QPointF(0, metrics.ascent()), text)
