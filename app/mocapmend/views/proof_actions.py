@@ -1,9 +1,10 @@
 """Recipes and checks: what was done to a recording, done again, and proved."""
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, replaying, unsaved
@@ -207,10 +208,15 @@ class ProofActions(QObject):
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
         told = text.format(len(edits) + corrected)
-        if planned.smoothing:
-            self._smooth(workspace, path, planned.smoothing, told)
-        else:
+        if not planned.smoothing:
             self._window.say(told)
+            return
+        smooth = partial(self._smooth, workspace, path, planned.smoothing, told)
+        if workspace.filling.job is None:
+            smooth()
+        else:
+            # At last, from what lies beneath then.
+            workspace.filling.ended.connect(smooth, Qt.ConnectionType.SingleShotConnection)
 
     def _is_as_it_was(self, workspace: "Workspace", revision: int) -> bool:
         """Say whether a recording is open still, and has not been edited meanwhile."""
