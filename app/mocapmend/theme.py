@@ -98,7 +98,7 @@ LIGHT = Theme(
     states=(
         (SampleState.MEASURED, "#d9dde3"),
         (SampleState.MISSING, "#c07c00"),
-        (SampleState.BAD, "#b03a00"),
+        (SampleState.BAD, "#c1121f"),
         (SampleState.FILLED, "#0072b2"),
         (SampleState.NEVER, "#9a7d40"),
         (SampleState.SMOOTHED, "#8f3b82"),
