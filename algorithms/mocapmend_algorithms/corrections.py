@@ -83,6 +83,29 @@ def exchange(origins: NDArray[np.int32], exchanges: Iterable[Exchange]) -> None:
         origins[start:stop, pair] = origins[start:stop, pair[::-1]]
 
 
+def exchanges_between(now: NDArray[np.int32], wanted: NDArray[np.int32]) -> list[Exchange]:
+    """Return exchanges that turn origins into others, by start.
+
+    Parameters
+    ----------
+    now, wanted : ndarray of int32, shape (frames, markers)
+        See `stored_places`.
+    """
+    made: list[Exchange] = []
+    for start, stop in runs((now != wanted).any(axis=1)):
+        part = slice(start, stop)
+        changes = (np.diff(now[part], axis=0) != 0) | (np.diff(wanted[part], axis=0) != 0)
+        cuts = start + 1 + np.flatnonzero(changes.any(axis=1))
+        for a, b in pairwise((start, *cuts.tolist(), stop)):
+            row, goal = now[a].copy(), wanted[a]
+            for marker in np.flatnonzero(row != goal).tolist():
+                holder = int(np.flatnonzero(row == goal[marker])[0])
+                if holder != marker:
+                    made.append(Exchange(marker, holder, a, b))
+                    row[[marker, holder]] = row[[holder, marker]]
+    return made
+
+
 def moves(origins: NDArray[np.int32]) -> list[Move]:
     """Return what is not where it was stored, as runs by marker and start."""
     found = []

@@ -7,8 +7,18 @@ from PySide6.QtGui import QKeySequence
 
 from mocapmend.translate import QT_TRANSLATE_NOOP
 
-Menu = Literal["File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help"]
-MENUS: tuple[Menu, ...] = ("File", "Edit", "Gaps", "Repair", "Play", "View", "Plots", "Help")
+Menu = Literal["File", "Edit", "Gaps", "Problems", "Repair", "Play", "View", "Plots", "Help"]
+MENUS: tuple[Menu, ...] = (
+    "File",
+    "Edit",
+    "Gaps",
+    "Problems",
+    "Repair",
+    "Play",
+    "View",
+    "Plots",
+    "Help",
+)
 
 
 @dataclass(frozen=True)
@@ -177,6 +187,53 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("Shift+W",),
     ),
     ActionSpec(
+        "search_bad",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Look for bad samples"),
+        ("Ctrl+F",),
+    ),
+    ActionSpec(
+        "fix_problem",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Fix this problem"),
+        ("H",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "fix_kind",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Fix all problems of this kind"),
+        ("Shift+H",),
+    ),
+    ActionSpec(
+        "fix_all", "Problems", QT_TRANSLATE_NOOP("Actions", "Fix all problems"), ("Ctrl+H",)
+    ),
+    ActionSpec(
+        "dismiss_problem",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "This is no problem"),
+        ("Shift+D",),
+    ),
+    ActionSpec(
+        "set_aside",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Set the selected samples aside"),
+        ("U",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "believe",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Believe samples that were set aside"),
+        ("Shift+U",),
+    ),
+    ActionSpec(
+        "exchange",
+        "Problems",
+        QT_TRANSLATE_NOOP("Actions", "Exchange the two selected markers"),
+        ("Ctrl+E",),
+    ),
+    ActionSpec(
         "apply",
         "Repair",
         QT_TRANSLATE_NOOP("Actions", "Apply the previewed repair"),
@@ -243,6 +300,19 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Repair",
         QT_TRANSLATE_NOOP("Actions", "Fill all gaps up to the limit"),
         ("Ctrl+Return",),
+    ),
+    ActionSpec(
+        "smooth",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Smooth the chosen markers"),
+        ("Ctrl+M",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "unsmooth",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Take smoothing off the chosen markers"),
+        ("Ctrl+Shift+M",),
     ),
     ActionSpec("play", "Play", QT_TRANSLATE_NOOP("Actions", "Play / pause"), ("Space",)),
     ActionSpec("next_frame", "Play", QT_TRANSLATE_NOOP("Actions", "Next frame"), ("Right",)),
@@ -529,6 +599,13 @@ ACTIONS: tuple[ActionSpec, ...] = (
         QT_TRANSLATE_NOOP("Actions", "Go to the analog channels"),
         ("Ctrl+5",),
         "document",
+        submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
+    ),
+    ActionSpec(
+        "show_smooth",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Go to smoothing"),
+        ("Ctrl+6",),
         submenu=QT_TRANSLATE_NOOP("Actions", "Go to pane"),
     ),
     ActionSpec(

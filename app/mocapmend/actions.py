@@ -13,6 +13,7 @@ _TITLES: Mapping[Menu, str] = {
     "File": QT_TRANSLATE_NOOP("Menus", "&File"),
     "Edit": QT_TRANSLATE_NOOP("Menus", "&Edit"),
     "Gaps": QT_TRANSLATE_NOOP("Menus", "&Gaps"),
+    "Problems": QT_TRANSLATE_NOOP("Menus", "Pro&blems"),
     "Repair": QT_TRANSLATE_NOOP("Menus", "&Repair"),
     "Play": QT_TRANSLATE_NOOP("Menus", "&Play"),
     "View": QT_TRANSLATE_NOOP("Menus", "&View"),

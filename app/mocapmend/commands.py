@@ -34,7 +34,7 @@ class EditSamples(QUndoCommand):
     edits : tuple of Edit
         What it writes.
     unsmoothed : list of Edit
-        Those of them that take smoothing off what is to be changed.
+        Those of them that take smoothing off, because what else changes needs it.
     correction : Correction or None
         What it exchanges and sets aside.
     labels : dict of int to str
@@ -55,11 +55,8 @@ class EditSamples(QUndoCommand):
         # The document has the stack that this is on. If they kept each other, it would be left to
         # Python's garbage collector to delete both, in an order at which Qt may crash.
         self._document = ref(document)
-        runs = [edit.gap for edit in edits]
-        if correction is not None:
-            runs += correction.runs
         # The last layer goes first, and comes back with undoing.
-        self.unsmoothed = document.without_smoothing(runs) if document.smoothed else []
+        self.unsmoothed = _unsmoothed(document, edits, correction) if document.smoothed else []
         self.edits = (*self.unsmoothed, *edits)
         self._after = Contents.of(self.edits)
         self._before = document.contents(self._after.gaps, self._after.places)
@@ -95,6 +92,18 @@ class EditSamples(QUndoCommand):
         document = self._document()
         assert document is not None
         return document
+
+
+def _unsmoothed(
+    document: Document, edits: Sequence[Edit], correction: Correction | None
+) -> list[Edit]:
+    alone = [edit.gap for edit in edits if document.changes_smoothing_alone(edit)]
+    kept = set(alone)
+    runs = [edit.gap for edit in edits if edit.gap not in kept]
+    if correction is not None:
+        runs += correction.runs
+    off = document.without_smoothing(runs, alone)
+    return [edit for edit in off if edit.gap not in kept]
 
 
 def _write(document: Document, contents: Contents) -> None:

@@ -9,7 +9,7 @@ from mocapmend.doubts import Change, Doubt
 from mocapmend.edits import Edit
 from mocapmend.layers import Layers
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.corrections import Exchange
+from mocapmend_algorithms.corrections import Exchange, exchanges_between, stored_places
 
 
 class Step(NamedTuple):
@@ -50,6 +50,25 @@ def step(
     before = document.layers
     after = before.corrected(exchanges, {}).believing(believe).corrected((), set_aside or {})
     return Step(*_between(document, before, after, exchanges))
+
+
+def towards(document: Document, wanted: Layers) -> Step:
+    """Return the step after which exactly that is exchanged and set aside which layers say.
+
+    Parameters
+    ----------
+    document : Document
+        The recording.
+    wanted : Layers
+        Of its file.
+    """
+    before = document.layers
+    shape = document.original.present.shape
+    now, then = (
+        stored_places(shape) if layers.origins is None else layers.origins
+        for layers in (before, wanted)
+    )
+    return Step(*_between(document, before, wanted, exchanges_between(now, then)))
 
 
 def _between(

@@ -255,6 +255,11 @@ class Document(QObject):
         return self._believed.doubts
 
     @property
+    def doubted(self) -> NDArray[np.bool_]:
+        """Which samples are set aside, shape (frames, markers); not to be changed."""
+        return self._believed.doubted
+
+    @property
     def layers(self) -> Layers:
         """A snapshot of what was exchanged and set aside."""
         return self._believed.layers
@@ -343,29 +348,63 @@ class Document(QObject):
         rows, marker = slice(run.start, run.stop), run.marker
         states = self.state[rows, marker].copy()
         states[states == SampleState.SMOOTHED] = SampleState.MEASURED
+        for earlier in self._smoothed_earlier:
+            if earlier.marker == marker and _overlap(earlier, run):
+                inside = states[max(0, earlier.start - run.start) : earlier.stop - run.start]
+                inside[inside == SampleState.MEASURED] = SampleState.SMOOTHED
         values = self.base.points[rows, marker].copy()
         values[np.isin(states, ABSENT)] = np.nan
         # What is filled is one gap: those beside each other would be one.
         for gap in self._states.as_gaps(marker, SampleState.FILLED):
-            if gap.start < run.stop and run.start < gap.stop:
+            if _overlap(gap, run):
                 start, stop = max(gap.start, run.start), min(gap.stop, run.stop)
                 filled = self.repairs[gap].patch.values[start - gap.start : stop - gap.start]
                 values[start - run.start : stop - run.start] = filled
-        return Edit(run, values, states, self.repairs.get(run), self._reasons.get(run))
+        return Edit(
+            run,
+            values,
+            states,
+            self.repairs.get(run),
+            self._reasons.get(run),
+            self._smoothed_earlier.get(run),
+        )
 
-    def without_smoothing(self, runs: Collection[Gap]) -> list[Edit]:
-        """Return the edits that take smoothing off where it depends on what some runs hold.
+    def changes_smoothing_alone(self, edit: Edit) -> bool:
+        """Say whether an edit leaves what lies beneath the smoothing as it is."""
+        if edit.smoothed is not None:
+            return True
+        if edit.gap not in self.smoothed:
+            return False
+        beneath = self.beneath(edit.gap)
+        return (
+            edit.repair is beneath.repair
+            and edit.reason == beneath.reason
+            and np.array_equal(edit.states, beneath.states)
+            and np.array_equal(edit.values, beneath.values, equal_nan=True)
+        )
 
-        These are runs of samples on end: what lies beyond a gap makes no difference to smoothing.
+    def without_smoothing(
+        self, runs: Collection[Gap], smoothed_anew: Collection[Gap] = ()
+    ) -> list[Edit]:
+        """Return the edits that take smoothing off where other changes need it.
+
+        Parameters
+        ----------
+        runs : collection of Gap
+            Where what lies beneath changes. All smoothing of the samples on end around them
+            depends on that: what lies beyond a gap makes no difference to it.
+        smoothed_anew : collection of Gap
+            Where only the smoothing changes: what overlaps them is taken off.
         """
-        of_marker: dict[int, list[Gap]] = {}
-        for run in runs:
-            of_marker.setdefault(run.marker, []).append(run)
+        changed, replaced = _by_marker(runs), _by_marker(smoothed_anew)
         return [
             self.beneath(run)
             for run, made in sorted(self.smoothed.items(), key=lambda item: item[0])
             if self._smoothed_earlier.get(run) is not made
-            and self._meets(run, of_marker.get(run.marker, ()))
+            and (
+                self._meets(run, changed.get(run.marker, ()))
+                or any(_overlap(run, other) for other in replaced.get(run.marker, ()))
+            )
         ]
 
     def _meets(self, run: Gap, others: Sequence[Gap]) -> bool:
@@ -457,6 +496,17 @@ def _earlier_smoothing(source: Source) -> Iterator[tuple[Gap, Smoothed]]:
     for run, entry in source.smoothed.items():
         rms = entry.rms_change_mm / source.recording.mm
         yield run, Smoothed(entry.method, entry.parameters, entry.chosen, rms)
+
+
+def _by_marker(runs: Iterable[Gap]) -> dict[int, list[Gap]]:
+    of_marker: dict[int, list[Gap]] = {}
+    for run in runs:
+        of_marker.setdefault(run.marker, []).append(run)
+    return of_marker
+
+
+def _overlap(one: Gap, other: Gap) -> bool:
+    return one.start < other.stop and other.start < one.stop
 
 
 def _set(known: dict[Gap, T], values: Iterable[tuple[Gap, T | None]]) -> None:

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 
 from mocapmend.doubts import Doubt
 from mocapmend.layers import Layers
-from mocapmend_algorithms import Gap, Progress
-from mocapmend_algorithms.corrections import Exchange
+from mocapmend_algorithms import Gap, Progress, Recording
+from mocapmend_algorithms.corrections import Exchange, corrected
 from mocapmend_algorithms.problems import BadRun, detect, registry
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import Skeleton
@@ -41,16 +41,47 @@ def fix(
     KeyError
         If there is no detector of an id; the message lists the ids.
     """
+    found = find(layers.recording, skeleton, ids, progress)
+    fixed = sorted(found, key=lambda run: (run.marker, run.start))
+    return layers.corrected(*remedies(found)), fixed
+
+
+def find(
+    recording: Recording, skeleton: Skeleton, ids: Iterable[str], progress: Progress
+) -> list[BadRun]:
+    """Look for bad samples that can be put right.
+
+    Parameters
+    ----------
+    recording : Recording
+        What is believed so far.
+    skeleton : Skeleton
+        Its bones.
+    ids : iterable of str
+        The detectors.
+    progress : Progress
+        Called often; may cancel.
+
+    Returns
+    -------
+    list of BadRun
+        What is to be exchanged, and then what is to be set aside after that.
+
+    Raises
+    ------
+    KeyError
+        If there is no detector of an id; the message lists the ids.
+    """
     chosen = registry.chosen(ids)
-    fixed: list[BadRun] = []
+    every: list[BadRun] = []
     for count, remedy in enumerate(("exchange", "missing")):
         names = [each.id for each in chosen if each.remedy == remedy]
         step = part(progress, count / 2.0, (count + 1) / 2.0)
-        found = detect(layers.recording, skeleton, names, step) if names else []
+        found = detect(recording, skeleton, names, step) if names else []
         found = [run for run in found if is_fixable(run)]
-        layers = layers.corrected(*remedies(found))
-        fixed += found
-    return layers, sorted(fixed, key=lambda run: (run.marker, run.start))
+        recording = corrected(recording, remedies(found)[0], ())
+        every += found
+    return every
 
 
 def is_fixable(run: BadRun) -> bool:

@@ -117,6 +117,10 @@ class Layers:
             aside = believed(aside, run).applied(aside)
         return replace(self, set_aside=aside)
 
+    def is_same(self, other: "Layers") -> bool:
+        """Say whether other layers of this file exchange and set aside the same."""
+        return self.moves == other.moves and dict(self.set_aside) == dict(other.set_aside)
+
     def measured(self, run: Gap) -> Mask:
         """Say which samples of a run were measured, doubtful ones included."""
         present = self.source.as_stored.present[run.start : run.stop]

@@ -10,40 +10,51 @@ from mocapmend.document import Document
 from mocapmend.edits import Repair
 from mocapmend.prospects import Preview, Prospects
 from mocapmend.ranking import Problem, Status
+from mocapmend.suspects import KINDS, Suspects, place_of
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
 
 Places = NDArray[np.intp]
+GAP = "gap"
+ALL_KINDS = (GAP, *KINDS)
+"""What a problem is: a gap, or one of the kinds of bad runs."""
+_NUMBER_OF = {kind: number for number, kind in enumerate(ALL_KINDS)}
 
 
 class ProblemList:
-    """All gaps of a document that are or were problems; each has a place in the list.
+    """All gaps and bad runs of a document that are or were problems; each has a place in the list.
 
     Parameters
     ----------
     document : Document
         Whose gaps.
     prospects : Prospects
-        What is known of them.
+        What is known of the gaps.
+    suspects : Suspects
+        What is known of bad runs.
 
     Attributes
     ----------
     gaps : list of Gap
-        In no order that means anything.
-    marker, start, length, status : ndarray of int, shape (gaps,)
-        Of the gaps.
-    error : ndarray, shape (gaps,)
-        Expected error of the best repair, or of the one that was made; NaN where unknown.
-    tried : ndarray of bool, shape (gaps,)
+        Where the problems are, gaps first; in no order that means anything.
+    marker, other, start, length, status, kind : ndarray of int, shape (problems,)
+        Of the problems; `other` is the marker itself where there is no second one, and `kind` is a
+        place in `ALL_KINDS`.
+    error : ndarray, shape (problems,)
+        Expected error of the best repair, or of the one that was made, or the deviation of bad
+        samples; NaN where unknown.
+    tried : ndarray of bool, shape (problems,)
         Whether any repair was tried.
     """
 
-    def __init__(self, document: Document, prospects: Prospects) -> None:
+    def __init__(self, document: Document, prospects: Prospects, suspects: Suspects) -> None:
         self._document = document
         self._prospects = prospects
+        self._suspects = suspects
         self.take()
 
     def take(self) -> None:
-        """List the gaps anew: edits have changed them, or what has become of them."""
+        """List the problems anew: edits have changed them, or what has become of them."""
         document, open_gaps = self._document, self._document.fillable
         # A copy: it is asked for until the list is taken anew.
         self._repairs = repairs = dict(document.repairs)
@@ -68,8 +79,39 @@ class ProblemList:
         self.error[self._open : self._open + len(repairs)] = [
             repair.patch.expected_error for repair in repairs.values()
         ]
+        self.other = self.marker
+        self.kind = np.zeros(len(self.gaps), np.intp)
+        self._append_bad()
         self.tried = self.status >= Status.REPAIRED
         self.learn()
+
+    def _append_bad(self) -> None:
+        listed = self._suspects.listed()
+        self._first_bad = len(self.gaps)
+        self._bad = [run for run, _ in listed]
+        if not listed:
+            return
+        table = np.array(
+            [
+                (
+                    run.marker,
+                    run.marker if run.other is None else run.other,
+                    run.start,
+                    run.length,
+                    status,
+                    _NUMBER_OF.get(run.kind, len(ALL_KINDS) - 1),
+                )
+                for run, status in listed
+            ],
+            np.int64,
+        )
+        self.gaps += map(place_of, self._bad)
+        for name, values in zip(
+            ("marker", "other", "start", "length", "status", "kind"), table.T, strict=True
+        ):
+            setattr(self, name, np.concatenate((getattr(self, name), values)))
+        deviation = [run.deviation for run in self._bad]
+        self.error = np.concatenate((self.error, np.array(deviation, np.float64)))
 
     def learn(self) -> None:
         """Take note of what is known of the open gaps by now."""
@@ -83,14 +125,29 @@ class ProblemList:
 
     def place_of(self, gap: Gap) -> int | None:
         """Return the place of a gap."""
-        same = (self.marker == gap.marker) & (self.start == gap.start)
-        same &= self.length == gap.length
+        return self._place(gap, slice(0, self._first_bad))
+
+    def place_of_bad(self, run: BadRun) -> int | None:
+        """Return the place of a bad run."""
+        place = self._place(place_of(run), slice(self._first_bad, None))
+        return None if place is None else self._first_bad + place
+
+    def _place(self, gap: Gap, part: slice) -> int | None:
+        same = (self.marker[part] == gap.marker) & (self.start[part] == gap.start)
+        same &= self.length[part] == gap.length
         places = np.flatnonzero(same)
         return int(places[0]) if len(places) else None
+
+    def bad(self, place: int) -> BadRun | None:
+        """Return the bad run at a place; None where there is a gap."""
+        return self._bad[place - self._first_bad] if place >= self._first_bad else None
 
     def problem(self, place: int) -> Problem:
         """Return what is at a place."""
         document, gap, status = self._document, self.gaps[place], Status(self.status[place])
+        bad = self.bad(place)
+        if bad is not None:
+            return Problem(gap, status, reason=bad.reason, tried=True, bad=bad)
         if status is Status.NEVER:
             return Problem(gap, status, reason=document.never_reason(gap), tried=True)
         if status is Status.REPAIRED:
@@ -104,8 +161,9 @@ class ProblemList:
         status: Collection[Status],
         shortest: float,
         longest: float,
+        kinds: Collection[str] = ALL_KINDS,
     ) -> Places:
-        """Return the places of some markers' gaps in some status: above one length, up to another.
+        """Return the places of some markers' problems: above one length, up to another.
 
         Parameters
         ----------
@@ -113,12 +171,17 @@ class ProblemList:
             Which pass.
         shortest, longest : float
             In frames.
+        kinds : collection of str
+            Of `ALL_KINDS`, which pass.
         """
         of_status = np.zeros(len(Status), bool)
         of_status[list(status)] = True
         of_marker = np.zeros(self._document.original.markers, bool)
         of_marker[list(markers)] = True
-        passes = of_status[self.status] & of_marker[self.marker]
+        of_kind = np.zeros(len(ALL_KINDS), bool)
+        of_kind[[_NUMBER_OF[kind] for kind in kinds]] = True
+        passes = of_status[self.status] & of_kind[self.kind]
+        passes &= of_marker[self.marker] | of_marker[self.other]
         passes &= (shortest < self.length) & (self.length <= longest)
         return np.flatnonzero(passes)
 

@@ -8,6 +8,7 @@ from enum import IntEnum
 from mocapmend.engine import fill_anyway
 from mocapmend.prospects import Preview, Prospects, Way
 from mocapmend_algorithms import Gap, Progress, Recording
+from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.progress import part
 
 METHODS = ("auto", "local-frame", "pca-r2", "cubic")
@@ -15,7 +16,7 @@ METHODS = ("auto", "local-frame", "pca-r2", "cubic")
 
 
 class Status(IntEnum):
-    """What has become of a gap."""
+    """What has become of a gap, or of a run of bad samples."""
 
     OPEN = 0
     BEYOND = 1
@@ -25,16 +26,22 @@ class Status(IntEnum):
     REPAIRED = 3
     NEVER = 4
     """Never to be filled."""
+    FOUND = 5
+    """Bad samples, still there."""
+    FIXED = 6
+    """Bad samples that were set aside or exchanged."""
+    DISMISSED = 7
+    """No bad samples, as the user says."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """A gap, what has become of it, and what it would cost.
+    """A gap or a run of bad samples, what has become of it, and what it would cost.
 
     Attributes
     ----------
     gap : Gap
-        Which.
+        Which; where the bad samples are.
     status : Status
         What has become of it.
     best : Preview or None
@@ -43,6 +50,8 @@ class Problem:
         Why it is left open.
     tried : bool
         Whether any repair was tried.
+    bad : BadRun or None
+        What is wrong there; None where it is a gap.
     """
 
     gap: Gap
@@ -50,15 +59,18 @@ class Problem:
     best: Preview | None = None
     reason: str = ""
     tried: bool = False
+    bad: BadRun | None = None
 
     @property
     def error(self) -> float:
-        """Expected 3-D RMS error in the recording's unit; NaN where unknown."""
+        """Expected 3-D RMS error in the recording's unit, or deviation; NaN where unknown."""
+        if self.bad is not None:
+            return self.bad.deviation
         return math.nan if self.best is None else self.best.expected_error
 
     @property
     def harm(self) -> float:
-        """Expected error times missing frames; NaN where unknown."""
+        """Expected error times frames; NaN where unknown."""
         return self.error * self.gap.length
 
 

@@ -1,5 +1,6 @@
 """What became of one file that was repaired by a plan. No Qt."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,7 +13,18 @@ from mocapmend.engine import Exported
 from mocapmend.files import Source
 from mocapmend.layers import Layers
 from mocapmend.prospects import Way
-from mocapmend.report import About, EditRow, Methods, RepairRow, describe, method_text, summarise
+from mocapmend.report import (
+    About,
+    EditRow,
+    Methods,
+    PutRight,
+    RepairRow,
+    SmoothRow,
+    describe,
+    method_text,
+    put_right,
+    summarise,
+)
 from mocapmend.wording import count, span
 from mocapmend_algorithms import Gap, Recording, no_progress
 from mocapmend_algorithms.fill import registry
@@ -20,7 +32,7 @@ from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import Method
 from mocapmend_algorithms.problems import BadRun
-from mocapmend_algorithms.problems.registry import detector
+from mocapmend_algorithms.problems.registry import detector, remedy
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.smooth.contract import SmoothResult
 
@@ -120,7 +132,17 @@ class Outcome:
             earlier_program=provenance.program if provenance is not None else "",
             proof=() if self.exported is None else self.exported.sentences,
             edits=self._edits(),
+            put_right=self._put_right,
         )
+
+    @cached_property
+    def _put_right(self) -> PutRight:
+        found = Counter(run.kind for run in self.fixed if remedy(run) == "exchange")
+        smoothed = (
+            SmoothRow.of(run, one.method, one.parameters, one.chosen, one.rms_change_mm)
+            for run, one in self.made.smoothed.items()
+        )
+        return put_right(self.layers.set_aside, self.layers.moves, smoothed, found)
 
     @property
     def method_text(self) -> str:

@@ -23,6 +23,7 @@ from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.smooth import registry as smoothers
 from mocapmend_algorithms.smooth.contract import SmoothResult
 
@@ -159,15 +160,35 @@ def fill(recording: Recording, jobs: Sequence[FillJob], progress: Progress) -> l
     return results
 
 
-def smooth(recording: Recording, job: SmoothJob, progress: Progress) -> SmoothResult:
-    """Smooth the runs of a job.
+def smooth(
+    recording: Recording, jobs: Sequence[SmoothJob], progress: Progress
+) -> list[SmoothResult]:
+    """Smooth the runs of a plan, each from what lies beneath all smoothing.
+
+    Parameters
+    ----------
+    recording : Recording
+        The recording with its fills.
+    jobs : sequence of SmoothJob
+        What to smooth.
+    progress : Progress
+        Called often; may cancel.
 
     Raises
     ------
     MocapmendError
         If the parameters do not fit the recording.
     """
-    return engine.smooth(recording, job.runs, job.method, job.params, progress)
+    return [
+        engine.smooth(
+            recording,
+            job.runs,
+            job.method,
+            job.params,
+            part(progress, number / len(jobs), (number + 1) / len(jobs)),
+        )
+        for number, job in enumerate(jobs)
+    ]
 
 
 def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
@@ -197,8 +218,8 @@ def replay(source: Source, recipe: Recipe, progress: Progress) -> Changes:
     made = earlier(planned.layers, without=planned.reopened)
     for job, result in zip(planned.jobs, results, strict=True):
         made = filled(made, result, job.method, job.params)
-    for smoothing in planned.smoothing:
-        made = smoothed(made, smooth(made.recording, smoothing, progress))
+    for curves in smooth(made.recording, planned.smoothing, progress):
+        made = smoothed(made, curves)
     kept_open = {**made.kept_open, **planned.kept_open}
     gaps = [gap for job in planned.jobs for gap in job.gaps]
     for gap in (*planned.freed, *_overlapping(source, gaps, source.kept_open)):

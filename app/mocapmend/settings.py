@@ -46,7 +46,12 @@ MAX_ERROR_MM = Setting("repair/max_error_mm", 20.0)
 PLOTS = Setting("plots/shown", ["plot_position"])
 SAME_SCALE = Setting(key="plots/same_scale", default=False)
 RANKING = Setting(key="queue/ranking", default=True)
+SEARCHING = Setting(key="queue/searching", default=True)
+"""Whether bad samples are looked for in the background."""
+FIX_FIRST = Setting(key="repair/fix_first", default=False)
+"""Whether bad samples are put right before all gaps are filled."""
 COMPARE = Setting(key="repair/compare", default=True)
+SMOOTHER = Setting("smooth/method", "gcv")
 TRAIL_SECONDS = Setting("view/trail_seconds", 0.5)
 SHOWN = {
     name: Setting(f"view/{name}", default)

@@ -37,6 +37,7 @@ class Theme:
     candidate: str
     gap_shade: str
     fill_shade: str
+    smooth_shade: str
     states: tuple[tuple[SampleState, str], ...]
     curves: tuple[str, ...]
 
@@ -63,6 +64,7 @@ DARK = Theme(
     candidate="#c9b8f5",
     gap_shade="#48e69f00",
     fill_shade="#3056b4e9",
+    smooth_shade="#2ccc79a7",
     states=(
         (SampleState.MEASURED, "#3b424c"),
         (SampleState.MISSING, "#e69f00"),
@@ -92,10 +94,11 @@ LIGHT = Theme(
     candidate="#6a4aa5",
     gap_shade="#40e69f00",
     fill_shade="#300072b2",
+    smooth_shade="#268f3b82",
     states=(
         (SampleState.MEASURED, "#d9dde3"),
         (SampleState.MISSING, "#c07c00"),
-        (SampleState.BAD, "#b03a00"),
+        (SampleState.BAD, "#c1121f"),
         (SampleState.FILLED, "#0072b2"),
         (SampleState.NEVER, "#9a7d40"),
         (SampleState.SMOOTHED, "#8f3b82"),

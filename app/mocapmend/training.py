@@ -15,7 +15,7 @@ from typing import Any
 from mocapmend.errors import MocapmendError
 from mocapmend.files.record_values import LONGEST_TEXT
 from mocapmend.files.sidecar import hash_file
-from mocapmend_algorithms.fill.params import training_names
+from mocapmend_algorithms.params import training_names
 from mocapmend_algorithms.sparse.training_set import TrainingSetError
 from mocapmend_resources import training as shipped
 

@@ -6,6 +6,8 @@ from PySide6.QtCore import QObject, Signal
 
 from mocapmend.prospects import Preview
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.smooth.contract import SmoothedRun
 
 __all__ = ["Preview", "ViewState"]
 
@@ -26,7 +28,9 @@ class ViewState(QObject):
     frame_changed = Signal(int)
     selection_changed = Signal(tuple)
     gap_changed = Signal(object)
+    suspect_changed = Signal(object)
     preview_changed = Signal(object)
+    smoothing_changed = Signal(tuple)
     range_changed = Signal(float, float)
     span_changed = Signal(object)
 
@@ -36,7 +40,9 @@ class ViewState(QObject):
         self.frame = 0
         self.selection: tuple[int, ...] = ()
         self.gap: Gap | None = None
+        self.suspect: BadRun | None = None
         self.preview: Preview | None = None
+        self.smoothing: tuple[SmoothedRun, ...] = ()
         self.candidates: tuple[tuple[int, Preview], ...] = ()
         self.picking = False
         self.proposed: Mapping[int, str] = {}
@@ -64,6 +70,8 @@ class ViewState(QObject):
             # Nobody shall repair a gap of a marker that is out of sight.
             if self.gap is not None and self.gap.marker not in markers:
                 self.set_gap(None)
+            if self.suspect is not None and self.suspect.marker not in markers:
+                self.set_suspect(None)
 
     def toggle(self, marker: int) -> None:
         """Add a marker to the selection, or take it out."""
@@ -77,6 +85,25 @@ class ViewState(QObject):
             self.set_preview(None)
             self.set_candidates(())
             self.gap_changed.emit(gap)
+        if gap is not None:
+            self.set_suspect(None)
+
+    def set_suspect(self, run: BadRun | None) -> None:
+        """Make a run of bad samples the one that is worked on."""
+        if run != self.suspect:
+            self.suspect = run
+            self.suspect_changed.emit(run)
+        if run is not None:
+            self.set_gap(None)
+
+    def go_to_suspect(self, run: BadRun) -> None:
+        """Show bad samples as `go_to` shows a gap; of a swap both markers are selected."""
+        wanted = (run.marker,) if run.other is None else (run.other, run.marker)
+        if self.selection != wanted:
+            self.select(wanted)
+        self.set_suspect(run)
+        self.set_frame((run.start + run.stop - 1) // 2)
+        self.frame_span(run.start, run.stop)
 
     def go_to(self, gap: Gap) -> None:
         """Show a gap: its marker selected, the playhead in its middle, its surroundings in view."""
@@ -113,6 +140,12 @@ class ViewState(QObject):
         if preview is not self.preview:
             self.preview = preview
             self.preview_changed.emit(preview)
+
+    def set_smoothing(self, runs: tuple[SmoothedRun, ...]) -> None:
+        """Show smoothed runs without applying them, or none."""
+        if runs != self.smoothing:
+            self.smoothing = runs
+            self.smoothing_changed.emit(runs)
 
     @property
     def others(self) -> tuple[tuple[int, Preview], ...]:

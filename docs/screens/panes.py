@@ -1,5 +1,6 @@
 """The window with each of its panes in front."""
 
+from mocapmend.ranking import Status
 from mocapmend.views.filling import Filling
 from mocapmend.views.samples import sample_recordings
 from mocapmend.views.workspace import Workspace
@@ -25,9 +26,10 @@ def welcome(stage: Stage) -> None:
 
 
 def ranked(stage: Stage) -> Workspace:
-    """Open the recording with many gaps, and wait until they are ranked."""
+    """Open the recording with many gaps; wait until they are ranked, and bad samples are found."""
     workspace = stage.open_sample("sprint_basketball")
     wait_until(lambda: not workspace.survey.running and workspace.survey.portions > 1)
+    wait_until(lambda: workspace.search.suspects.known)
     return workspace
 
 
@@ -79,6 +81,26 @@ def repairing(stage: Stage) -> None:
     stage.do("undo")
 
 
+def problems(stage: Stage) -> None:
+    """Look at bad samples of every kind that is found, fix some, and see what became of them."""
+    workspace = stage.workspace
+    stage.show_pane(workspace.queue)
+    found = {run.kind: run for run in workspace.search.suspects.found}
+    for kind, run in sorted(found.items()):
+        workspace.view.go_to_suspect(run)
+        wait_until(lambda: not workspace.previewer.busy)
+        stage.shoot(f"problem_{kind}")
+    stage.do("fix_all")
+    wait_until(lambda: workspace.search.suspects.known)
+    fixed = next(row for row in range(9) if Status.FIXED in workspace.queue.status.itemData(row))
+    workspace.queue.status.setCurrentIndex(fixed)
+    workspace.view.go_to_suspect(workspace.search.suspects.fixed()[0])
+    wait_until(lambda: not workspace.previewer.busy)
+    stage.shoot("problems_fixed")
+    workspace.queue.status.setCurrentIndex(0)
+    stage.do("undo")
+
+
 def _choose(workspace: Workspace, method: str) -> None:
     workspace.repair._choose(method)  # noqa: SLF001 - what a click on the list does
     settle()
@@ -127,6 +149,31 @@ def report(stage: Stage) -> None:
 
 def _wait_for(filling: Filling) -> None:
     wait_until(lambda: filling.job is None)
+
+
+def smoothing(stage: Stage) -> None:
+    """Look at what smoothing would do to a marker, and do it to a part of all."""
+    workspace = stage.workspace
+    stage.show_pane(workspace.timeline)
+    workspace.view.select((3, 4))
+    stage.do("show_smooth")
+    for method in range(workspace.smooth.method.count()):
+        workspace.smooth.method.setCurrentIndex(method)
+        wait_until(lambda: not workspace.smoothing.busy)
+        stage.shoot(f"smooth_{workspace.smooth.way.method}")
+    workspace.smooth.method.setCurrentIndex(0)
+    workspace.view.set_span((900, 1300))
+    workspace.smooth.time.setCurrentIndex(1)
+    workspace.smooth.markers.setCurrentIndex(1)
+    stage.do("smooth")
+    wait_until(lambda: workspace.smoothing.job is None)
+    stage.do("zoom_span")
+    stage.shoot("smoothed")
+    stage.do("undo")
+    workspace.smooth.markers.setCurrentIndex(0)
+    workspace.view.set_span(None)
+    workspace.zoom_all()
+    stage.show_pane(workspace.repair)
 
 
 def working(stage: Stage) -> None:

@@ -11,6 +11,7 @@ from mocapmend_algorithms.corrections import (
     Move,
     corrected,
     exchange,
+    exchanges_between,
     merged_runs,
     moved,
     moves,
@@ -67,6 +68,21 @@ def test_exchanges_backwards_undo_them(given_exchanges: list[Exchange]) -> None:
     exchange(origins, reversed(given_exchanges))
     assert np.array_equal(origins, stored_places((FRAMES, MARKERS)))
     assert moves(origins) == []
+
+
+@given(st.lists(exchanges(), max_size=6), st.lists(exchanges(), max_size=6))
+def test_any_origins_become_any_others_by_exchanges(
+    first: list[Exchange], second: list[Exchange]
+) -> None:
+    now, wanted = (stored_places((FRAMES, MARKERS)) for _ in range(2))
+    exchange(now, first)
+    exchange(wanted, second)
+    found = exchanges_between(now, wanted)
+    starts = [each.start for each in found]
+    assert starts == sorted(starts)
+    exchange(now, found)
+    assert np.array_equal(now, wanted)
+    assert exchanges_between(now, wanted) == []
 
 
 @given(st.lists(exchanges(), max_size=6))

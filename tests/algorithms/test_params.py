@@ -6,14 +6,14 @@ from typing import Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
-from mocapmend_algorithms.fill.params import (
+from mocapmend_algorithms.fill.registry import METHODS, method, parse_params, restore_params
+from mocapmend_algorithms.params import (
     option,
     parse,
     restore,
     training_names,
     training_option,
 )
-from mocapmend_algorithms.fill.registry import METHODS, method, parse_params, restore_params
 
 
 @dataclasses.dataclass(frozen=True)

@@ -13,13 +13,14 @@ from PySide6.QtCore import QLocale, QSettings, QTranslator
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 from repaired_files import write_repaired
+from spoilt import HOLE, spoil
 
 from mocapmend import jobs as jobs_module
 from mocapmend.document import Document
 from mocapmend.engine import load
 from mocapmend.files import read_c3d
 from mocapmend.jobs import Jobs
-from mocapmend.settings import LANGUAGE, RANKING, Settings
+from mocapmend.settings import LANGUAGE, RANKING, SEARCHING, Settings
 from mocapmend.views import language
 from mocapmend.views.main_window import MainWindow
 from mocapmend.workers import Workers
@@ -74,10 +75,12 @@ def lent_workers(kept_workers: Workers, monkeypatch: pytest.MonkeyPatch) -> None
 def settings(tmp_path: Path) -> Settings:
     """Return settings that no other test and no user sees.
 
-    Without ranking, gaps are by time; the language is English whatever the machine's is.
+    Without ranking, gaps are by time, and without searching they are all problems; the language is
+    English whatever the machine's is.
     """
     made = Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
     made.set(RANKING, False)
+    made.set(SEARCHING, False)
     made.set(LANGUAGE, "en")
     return made
 
@@ -138,6 +141,19 @@ def holed_walk(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         points[gap.start : gap.stop, gap.marker] = 0
         fourth[gap.start : gap.stop, gap.marker] = -1
     path = tmp_path_factory.mktemp("walk") / "holed_walk.c3d"
+    path.write_bytes(encode(Synthetic(points, fourth=fourth, labels=list(recording.labels))))
+    return path
+
+
+@pytest.fixture(scope="session")
+def spoilt_walk(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Write the bundled walk with the bad samples and the gap of `spoilt`."""
+    recording = read_c3d(samples / "walk_cmu_02_01.c3d").recording
+    points, fourth = recording.points.copy(), np.zeros(recording.present.shape)
+    spoil(points)
+    points[HOLE.start : HOLE.stop, HOLE.marker] = 0
+    fourth[HOLE.start : HOLE.stop, HOLE.marker] = -1
+    path = tmp_path_factory.mktemp("walk") / "spoilt_walk.c3d"
     path.write_bytes(encode(Synthetic(points, fourth=fourth, labels=list(recording.labels))))
     return path
 

@@ -9,8 +9,8 @@ import pytest
 
 from mocapmend_algorithms import Gap, Progress, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
-from mocapmend_algorithms.fill.params import training_option
 from mocapmend_algorithms.fill.registry import METHODS, Method
+from mocapmend_algorithms.params import training_option
 from mocapmend_algorithms.sparse.training_set import (
     gather,
     read_training_set,

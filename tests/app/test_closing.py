@@ -45,13 +45,37 @@ def fill(workspace: Workspace) -> None:
     assert workspace.filling.job is not None
 
 
+def correct(workspace: Workspace) -> None:
+    workspace.search.start()
+    workspace.view.select((3, 4))
+    workspace.bad_actions.exchange()
+    workspace.bad_actions.set_aside()
+    workspace.bad_actions.fix_then(("spikes",), workspace.fill_all)
+    workspace.document.undo_stack.setClean()
+
+
+def look_ahead_at_smoothing(workspace: Workspace) -> None:
+    workspace.select_all()
+    workspace.show_pane(workspace.smooth)
+    workspace.smooth.refresh()
+    assert workspace.smoothing.busy
+
+
+def smooth(workspace: Workspace) -> None:
+    workspace.smooth.markers.setCurrentIndex(1)
+    workspace.smooth.apply()
+    assert workspace.smoothing.job is not None
+
+
 def big_parts(workspace: Workspace) -> list[ReferenceType[object]]:
     document = workspace.document
     arrays = (document.source.recording.points, document._samples, document._states)
     return [ref(part) for part in (workspace, document, *arrays, workspace.trajectories)]
 
 
-@pytest.mark.parametrize("use", [leave_alone, edit, look_around, plan, fill])
+@pytest.mark.parametrize(
+    "use", [leave_alone, edit, look_around, plan, fill, correct, look_ahead_at_smoothing, smooth]
+)
 def test_a_closed_recording_leaves_nothing_to_the_garbage_collector(
     use: Callable[[Workspace], None], open_in: Open, gait: Path, qtbot: QtBot
 ) -> None:

@@ -43,6 +43,12 @@ def push(document: Document, edits: list[Edit]) -> None:
         document.undo_stack.push(EditSamples(document, edits, "edit"))
 
 
+def last(document: Document) -> EditSamples:
+    command = document.undo_stack.command(document.undo_stack.index() - 1)
+    assert isinstance(command, EditSamples)
+    return command
+
+
 def correct(document: Document, **what: object) -> None:
     edits, correction = step(document, **what)
     document.undo_stack.push(EditSamples(document, edits, "correct", correction))
@@ -175,6 +181,42 @@ def test_smoothing_again_begins_with_what_is_beneath(document: Document) -> None
     smooth(document, run, method="gcv")
     assert equal(held(document), once)
     assert list(document.smoothed) == [run]
+
+
+def test_stretches_of_a_marker_are_smoothed_one_after_another(document: Document) -> None:
+    """Each begins with what is beneath, so that their order makes no difference."""
+    smooth(document, Gap(1, 2, 18))
+    first = held(document)
+    smooth(document, Gap(1, 20, 38), method="gcv")
+    assert set(document.smoothed) == {Gap(1, 2, 18), Gap(1, 20, 38)}
+    assert same(document.points[:20, 1], first[0][:20, 1])
+    both = held(document)
+    smooth(document, Gap(1, 10, 24))
+    assert list(document.smoothed) == [Gap(1, 10, 24)], "what overlaps is taken off"
+    assert [edit.gap for edit in last(document).unsmoothed] == [Gap(1, 2, 18), Gap(1, 20, 38)]
+    document.undo_stack.undo()
+    assert equal(held(document), both)
+    off = [document.beneath(Gap(1, 2, 18))]
+    taken = EditSamples(document, off, "take smoothing off B")
+    assert not taken.unsmoothed, "the one that is taken off is named once, the other one stays"
+    document.undo_stack.push(taken)
+    assert list(document.smoothed) == [Gap(1, 20, 38)]
+
+
+def test_a_file_that_was_smoothed_and_is_smoothed_again_stays_so_without_that(
+    tmp_path: Path, document: Document
+) -> None:
+    smooth(document, Gap(1, 4, 36))
+    changes = document.unsaved().changes()
+    engine.export(document.source, changes, tmp_path / "out.c3d", False, False, no_progress)
+    again = opened(read_c3d(tmp_path / "out.c3d"))
+    before = held(again)
+    for run in (Gap(1, 4, 36), Gap(1, 10, 40)):
+        smooth(again, run)
+        off = again.without_smoothing(again.smoothed)
+        assert [edit.gap for edit in off] == [run]
+        again.undo_stack.push(EditSamples(again, off, "take smoothing off B"))
+        assert equal(held(again), before)
 
 
 def test_a_filled_gap_that_is_smoothed_stays_filled(document: Document) -> None:

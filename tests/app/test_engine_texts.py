@@ -15,12 +15,14 @@ from PySide6.QtCore import QCoreApplication
 from mocapmend import training
 from mocapmend.bench.hunt import Plan
 from mocapmend.bench.seeds import all_seeds
-from mocapmend.engine import Changes, export, load
+from mocapmend.engine import Changes, export, load, smooth
 from mocapmend.errors import MocapmendError
 from mocapmend.files import check_files, read_recording
+from mocapmend.views.catalogue.detectors import DETECTORS as DETECTOR_TEXTS
 from mocapmend.views.catalogue.methods import METHODS as METHOD_TEXTS
 from mocapmend.views.catalogue.qt import QT
 from mocapmend.views.catalogue.segments import SEGMENTS
+from mocapmend.views.catalogue.smoothing import SMOOTHERS as SMOOTHER_TEXTS
 from mocapmend.views.engine_texts import (
     SENTENCES,
     error_text,
@@ -29,9 +31,13 @@ from mocapmend.views.engine_texts import (
     segment_name,
     shown,
 )
+from mocapmend.views.suspect_texts import REST
 from mocapmend_algorithms import Gap, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS
+from mocapmend_algorithms.problems import detect
+from mocapmend_algorithms.problems.registry import DETECTORS
+from mocapmend_algorithms.smooth.registry import SMOOTHERS
 from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 from mocapmend_resources.skeletons import load as templates
 
@@ -50,6 +56,9 @@ SPOKEN = (
 """Modules whose sentences reach the window."""
 COMPOSED = {
     "7 in 7.",
+    "7 measured sample7 7; the repair record lists them.",
+    "7 of 7 7 are not in the file any more7.",
+    "7 sample7 changed places between markers; the repair record lists them.",
     "Marker 7: 77, the first at frame 7.",
     "Samples 7 are taken as missing: 7.",
     "The file holds no 3D markers7.",
@@ -95,17 +104,36 @@ def _part(part: ast.expr) -> list[str]:
     return ["7"]
 
 
+def _texts_of(params: type) -> set[str]:
+    """Return the labels, helps and choices of a parameter class."""
+    found, hints = set(), get_type_hints(params)
+    for entry in fields(params):
+        found |= {entry.metadata["label"], entry.metadata["help"]}
+        for hint in (hints[entry.name], *get_args(hints[entry.name])):
+            found |= set(get_args(hint)) if get_origin(hint) is Literal else set()
+    return found
+
+
 def test_catalogue_of_methods_is_what_the_table_has() -> None:
     wanted: list[str] = [*FAMILIES]
     for method in METHODS.values():
-        wanted += [method.label, method.help]
-        hints = get_type_hints(method.params)
-        for entry in fields(method.params):
-            wanted += [entry.metadata["label"], entry.metadata["help"]]
-            for hint in (hints[entry.name], *get_args(hints[entry.name])):
-                wanted += get_args(hint) if get_origin(hint) is Literal else []
+        wanted += [method.label, method.help, *_texts_of(method.params)]
     assert set(METHOD_TEXTS) == set(wanted)
     assert Counter(METHOD_TEXTS).most_common(1)[0][1] == 1
+
+
+def test_catalogue_of_detectors_is_what_the_table_has() -> None:
+    wanted = [text for each in DETECTORS.values() for text in (each.label, each.help)]
+    assert set(DETECTOR_TEXTS) == set(wanted)
+    assert Counter(DETECTOR_TEXTS).most_common(1)[0][1] == 1
+
+
+def test_catalogue_of_smoothing_methods_is_what_their_table_has() -> None:
+    wanted = {text for each in SMOOTHERS.values() for text in (each.label, each.help)}
+    for smoother in SMOOTHERS.values():
+        wanted |= _texts_of(smoother.params)
+    assert set(SMOOTHER_TEXTS) == wanted - set(METHOD_TEXTS)
+    assert Counter(SMOOTHER_TEXTS).most_common(1)[0][1] == 1
 
 
 def test_catalogue_lists_each_sentence_once_with_numbered_places() -> None:
@@ -175,6 +203,22 @@ def test_reasons_on_real_gaps_are_in_the_catalogue(samples: Path) -> None:
     assert len({find(reason) for reason in said}) > 5
 
 
+def test_reasons_of_bad_samples_are_in_the_catalogue(samples: Path, spoilt_walk: Path) -> None:
+    said = set()
+    for path in (spoilt_walk, *sorted(samples.glob("*.c3d"))):
+        source, skeleton = load(path, no_progress)
+        recording = source.measured
+        points = recording.points.copy()
+        # Frozen for a while, twice in one place, far away.
+        points[150:158, 12] = points[150, 12]
+        points[40:60, 14] = points[40:60, 15] + 0.1 / recording.mm
+        points[60:62, 13] += 9000.0 / recording.mm
+        found = detect(recording.with_points(points), skeleton, None, no_progress)
+        said |= {run.reason.removesuffix(REST).removesuffix(".") + "." for run in found}
+    assert unlisted(said) == set()
+    assert len({find(reason) for reason in said}) > 6
+
+
 def moving(frames: int, markers: int) -> np.ndarray:
     """Return points that move smoothly, in no cycles."""
     time = np.linspace(0.0, 1.0, frames)[:, None, None]
@@ -239,6 +283,46 @@ def test_reasons_about_chosen_donors_and_edges_are_in_the_catalogue() -> None:
     } <= templates
 
 
+@pytest.mark.parametrize("name", sorted(SMOOTHERS))
+def test_what_smoothers_refuse_is_in_the_catalogue(name: str) -> None:
+    recording = Recording(moving(60, 2), ("A", "B"), 100.0, unit="mm")
+    kind = SMOOTHERS[name].params
+    wrong = {
+        "cutoff_hz": (50.0, 1e-3),
+        "order": (0, 3),
+        "window_ms": (10.0,),
+        "noise_mm": (-1.0,),
+    }
+    names = {entry.name for entry in fields(kind)} & set(wrong)
+    told = []
+    choices = [{key: value} for key in names for value in wrong[key]]
+    for chosen in [*choices, {"cutoff_hz": 6.0, "noise_mm": 1.0}]:
+        if set(chosen) <= names:
+            try:
+                smooth(recording, [Gap(0, 0, 60)], name, kind(**chosen), no_progress)
+            except MocapmendError as error:
+                told.append(error)
+    assert told
+    for error in told:
+        template, parts = find(error.what)
+        assert template == "This cannot be smoothed: {0}."
+        assert find(parts[0]) is not None, parts[0]
+        assert find(error.todo) is not None
+
+
+def test_why_stretches_are_not_smoothed_is_in_the_catalogue() -> None:
+    points = moving(60, 3)
+    points[1:, 0] = np.nan
+    points[3:, 1] = np.nan
+    points[:, 2] = np.nan
+    recording = Recording(points, ("A", "B", "C"), 100.0, unit="mm")
+    runs = [Gap(marker, 0, 60) for marker in range(3)]
+    for name, smoother in SMOOTHERS.items():
+        made = smooth(recording, runs, name, smoother.params(), no_progress)
+        assert len(made.untouched) == 3
+        assert unlisted({entry.reason for entry in made.untouched}) == set()
+
+
 def test_complaints_about_training_sets_are_in_the_catalogue(tmp_path: Path) -> None:
     (tmp_path / "broken.npz").write_bytes(b"PK")
     for path in (tmp_path / "none.npz", tmp_path, tmp_path / "broken.npz"):
@@ -273,6 +357,11 @@ class TestInChinese:
         assert shown("fill LTIO (auto)") == "填补 LTIO (自动)"
         assert shown("fill linear (cubic)") == "填补 linear (三次样条)", "a marker of that name"
         assert shown("fill 3 gaps (auto)") == "填补 3 个缺失段 (自动)"
+        assert shown("fix RELB, LWRA (swaps)") == "修正 RELB, LWRA (标签互换)"
+        assert shown("fix 3 problems (spikes)") == "修正 3 个问题 (尖峰)"
+        assert shown("set 7 samples of 3 markers aside") == "搁置 3 个标记点 的 7 个采样"
+        reason = "For 2 frames A and B, 600 mm apart, each continue the other's trajectory."
+        assert "2 帧" in shown(reason)
         assert shown("This is not a plan: it is too large.") == "这不是计划：它太大。"
 
     def test_lists_are_translated_one_by_one(self) -> None:

@@ -10,8 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from mocapmend.views.names_edit import NamesEdit
 from mocapmend.views.params_form import ParamsForm
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.registry import METHODS, Method
+from mocapmend_algorithms.params import option
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,9 @@ from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 from pytestqt.qtbot import QtBot
+from spoilt import HOLE, OTHER, SPIKE, SWAP
 
+from mocapmend.cli import main
 from mocapmend.errors import MocapmendError
 from mocapmend.plan import Plan, read_plan, write_plan
 from mocapmend.prospects import Way
@@ -21,6 +23,7 @@ from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.problems.registry import DETECTORS
 
 Open = Callable[[Path], MainWindow]
 CTRL_SHIFT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
@@ -169,3 +172,58 @@ def test_a_damaged_plan_is_one_error(key: str, value: object, tmp_path: Path) ->
         return
     with pytest.raises(MocapmendError, match="This is not a plan"):
         read_plan(path)
+
+
+def test_a_plan_keeps_what_it_fixes_first_and_does_it(
+    open_in: Open, spoilt_walk: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "plan.json"
+    write_plan(Plan(Way.default("cubic"), None, math.inf, ("spikes", "swaps")), path)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "b.json"), ""))
+    window = open_in(spoilt_walk)
+    workspace = workspace_of(window)
+    document = workspace.document
+    qtbot.waitUntil(lambda: document.found_skeleton is not None)
+    assert not workspace.repair.fix_first.isChecked()
+    window.actions_by_id["load_plan"].trigger()
+    assert workspace.repair.fix_first.kinds() == ("spikes", "swaps")
+    assert "Spikes" in workspace.repair.fix_first.toolTip()
+    window.actions_by_id["save_plan"].trigger()
+    assert read_plan(tmp_path / "b.json").fix == ("spikes", "swaps")
+
+    window.actions_by_id["fill_all"].trigger()
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
+    assert document.undo_stack.text(0).startswith("fix ")
+    assert set(document.doubts) >= {SPIKE}
+    assert {doubt.problem for doubt in document.doubts.values()} == {"spikes"}
+    assert {(move.marker, move.origin) for move in document.layers.moves} == {
+        (SWAP.marker, OTHER),
+        (OTHER, SWAP.marker),
+    }
+    assert document.gaps == []
+    assert {SPIKE, HOLE} <= set(document.repairs)
+    workspace.repair.fix_first.setChecked(False)
+    window.actions_by_id["save_plan"].trigger()
+    assert read_plan(tmp_path / "b.json").fix == ()
+
+
+def test_the_plan_does_in_the_window_what_it_does_on_the_command_line(
+    open_in: Open, spoilt_walk: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    window = open_in(spoilt_walk)
+    workspace = workspace_of(window)
+    document = workspace.document
+    qtbot.waitUntil(lambda: document.found_skeleton is not None)
+    workspace.repair.choose_way(Way.default("pchip"))
+    workspace.repair.limits.set_limits(None, math.inf)
+    workspace.repair.fix_first.setChecked(True)
+    workspace.fill_all()
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
+    window.files.export(tmp_path / "window.c3d")
+    qtbot.waitUntil(lambda: not window.isWindowModified() and not window.files.writing)
+    out = tmp_path / "command.c3d"
+    every = ",".join(DETECTORS)
+    words = ["repair", str(spoilt_walk), "-o", str(out), "--method", "pchip", "--fix", every]
+    assert main([*words, "--max-error", "inf"]) == 0
+    assert out.read_bytes() == (tmp_path / "window.c3d").read_bytes()

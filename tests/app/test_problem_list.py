@@ -13,6 +13,7 @@ from mocapmend.problem_list import ProblemList
 from mocapmend.prospects import Prospects, Way
 from mocapmend.ranking import Status
 from mocapmend.state import SampleState
+from mocapmend.suspects import Suspects
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.skeleton import Skeleton
@@ -49,7 +50,7 @@ def listed(problems: ProblemList, *, falling: bool) -> list[Gap]:
 
 def test_the_unknown_comes_last_in_the_order_of_time(document: Document) -> None:
     prospects = Prospects()
-    problems = ProblemList(document, prospects)
+    problems = ProblemList(document, prospects, Suspects(document))
     assert listed(problems, falling=True) == [LONG, SHORT, LATE]
     assert not problems.tried.any()
     prospects.add(WAY, [SHORT, LATE], FillResult((patch(SHORT, 1.0), patch(LATE, 5.0))))
@@ -62,7 +63,7 @@ def test_the_unknown_comes_last_in_the_order_of_time(document: Document) -> None
 
 
 def test_edits_and_decisions_are_seen_when_it_is_taken_anew(document: Document) -> None:
-    problems = ProblemList(document, Prospects())
+    problems = ProblemList(document, Prospects(), Suspects(document))
     edit(document, Edit.fill(patch(SHORT, 2.0), *WAY), Edit.clear(LATE, SampleState.NEVER))
     document.leave_open({LONG: "by hand"})
     before = problems.place_of(SHORT)
@@ -79,7 +80,7 @@ def test_edits_and_decisions_are_seen_when_it_is_taken_anew(document: Document) 
 
 
 def test_only_what_is_asked_for_passes(document: Document) -> None:
-    problems = ProblemList(document, Prospects())
+    problems = ProblemList(document, Prospects(), Suspects(document))
 
     def passing(markers: set[int], status: frozenset[Status], low: float, high: float) -> set[Gap]:
         return {problems.gaps[place] for place in problems.passing(markers, status, low, high)}

@@ -14,6 +14,7 @@ from mocapmend.files.sidecar import sidecar_path
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms import Gap
 
 Open = Callable[[Path], MainWindow]
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -411,3 +412,79 @@ def test_edits_during_an_export_are_not_proved(
     qtbot.waitUntil(lambda: not window.files.writing, timeout=20_000)
     assert workspace.report._proof.text() == "Edited since early.c3d was exported."
     assert workspace.last_export == tmp_path / "early.c3d"
+
+
+# --- corrections -----------------------------------------------------------------------------
+
+
+def correct(window: MainWindow, qtbot: QtBot) -> None:
+    """Exchange two markers for a while, set samples aside, fill what is open then."""
+    workspace = workspace_of(window)
+    view = workspace.view
+    view.select((3, 7))
+    view.set_span((40, 90))
+    workspace.bad_actions.exchange()
+    view.select((3, 9))
+    view.set_span((60, 63))
+    workspace.bad_actions.set_aside()
+    view.set_span(None)
+    fill(window, "linear", 4, qtbot)
+
+
+def test_a_recipe_with_corrections_makes_them_first(
+    open_in: Open, copy: Path, choose: list[str], qtbot: QtBot, tmp_path: Path
+) -> None:
+    window = open_in(copy)
+    correct(window, qtbot)
+    act(window, "save_recipe", qtbot)
+    recipe = tmp_path / "walk_recipe.json"
+    first = export(window, tmp_path / "first.c3d", qtbot)
+    window.files.close()
+    window = open_in(copy)
+    document = workspace_of(window).document
+    act(window, "replay_recipe", qtbot)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
+    assert document.undo_stack.text(0) == f"correct as in {recipe.name}"
+    assert document.undo_stack.text(1) == f"replay {recipe.name}"
+    second = export(window, tmp_path / "second.c3d", qtbot)
+    assert second.read_bytes() == first.read_bytes()
+    document.undo_stack.setIndex(0)
+    assert document.points.tobytes() == document.original.points.tobytes()
+    assert not document.doubts
+    assert document.layers.moves == []
+
+
+def test_its_corrections_replace_those_of_the_user(
+    open_in: Open, copy: Path, choose: list[str], qtbot: QtBot, tmp_path: Path
+) -> None:
+    window = open_in(copy)
+    correct(window, qtbot)
+    wanted = workspace_of(window).document.layers
+    act(window, "save_recipe", qtbot)
+    workspace = workspace_of(window)
+    workspace.document.undo_stack.setIndex(0)
+    workspace.view.select((3, 9))
+    workspace.view.set_frame(20)
+    workspace.bad_actions.exchange()
+    workspace.bad_actions.set_aside()
+    act(window, "replay_recipe", qtbot)
+    assert workspace.document.layers.is_same(wanted)
+    workspace.document.undo_stack.undo()
+    workspace.document.undo_stack.undo()
+    assert set(workspace.document.doubts) == {Gap(3, 20, 21), Gap(9, 20, 21)}
+
+
+def test_a_recipe_without_corrections_leaves_those_of_the_user(
+    open_in: Open, copy: Path, choose: list[str], qtbot: QtBot
+) -> None:
+    window = open_in(copy)
+    fill(window, "linear", 3, qtbot)
+    act(window, "save_recipe", qtbot)
+    workspace = workspace_of(window)
+    workspace.document.undo_stack.setIndex(0)
+    workspace.view.select((9,))
+    workspace.view.set_frame(20)
+    workspace.bad_actions.set_aside()
+    act(window, "replay_recipe", qtbot)
+    assert set(workspace.document.doubts) == {Gap(9, 20, 21)}
+    assert workspace.document.repairs

@@ -58,7 +58,7 @@ def test_a_preview_shows_what_the_repair_will(
     curve = Curve(other, "#fff", gap.marker) if quantity is Quantity.BONE else Curve(gap.marker, "")
     series = Series(document)
     before = series.rows(quantity, curve).copy()
-    frames, values = series.patched(quantity, curve, patch_of(gap))
+    frames, values = series.patched(quantity, curve, gap, patch_of(gap).values)
     assert (frames[0], frames[-1]) == (gap.start - 1, gap.stop)
     edit = Edit.fill(patch_of(gap), "linear", None)
     document.undo_stack.push(EditSamples(document, [edit], "fill"))

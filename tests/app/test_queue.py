@@ -13,8 +13,10 @@ from mocapmend.settings import RANKING, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.queue_model import GLYPHS, Column, short_number
+from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.queue_table import QueueTable
 from mocapmend.views.workspace import Workspace
+from mocapmend_algorithms import Gap
 
 Open = Callable[[Path], MainWindow]
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -23,6 +25,12 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 def workspace_of(window: MainWindow) -> Workspace:
     assert window.workspace is not None
     return window.workspace
+
+
+def worst(queue: QueuePane) -> Gap:
+    problem = queue.worst()
+    assert problem is not None
+    return problem.gap
 
 
 @pytest.fixture
@@ -57,7 +65,7 @@ def test_the_worst_comes_first_and_the_user_is_there(ranked: MainWindow) -> None
     frames = [float(text) for text in shown(workspace, Column.FRAMES)]
     for harm, error, length in zip(harms, errors, frames, strict=True):
         assert harm == pytest.approx(error * length, abs=0.5 + 0.05 * length)
-    assert workspace.view.gap == workspace.queue.worst()
+    assert workspace.view.gap == worst(workspace.queue)
     assert workspace.view.visible == (0.0, 343.0), "the user looks at the whole recording first"
     contexts = dict(zip(workspace.queue.model.gaps, shown(workspace, Column.CONTEXT), strict=True))
     assert contexts[HOLES["leading"]] == "start, 0 more missing"
@@ -170,11 +178,11 @@ def test_filters_by_marker_length_and_status(open_in: Open, sprint: Path, qtbot:
     queue.filter.setText("no such marker")
     assert queue.model.rowCount() == 0
     assert queue._empty.isVisible()
-    assert queue._empty.text() == "No gap passes the filter."
+    assert queue._empty.text() == "No problem passes the filter."
     told: list[str] = []
     workspace.message.connect(told.append)
     workspace.gap_actions.step(1)
-    assert told == ["No gap is left in the queue."]
+    assert told == ["No problem is left in the queue."]
 
 
 @pytest.mark.parametrize("column", list(Column))

@@ -84,7 +84,8 @@ def test_the_marker_table_has_the_figures_and_leads(workspace: Workspace, qtbot:
     assert texts[3:5] == [str(row.gaps_before), str(row.gaps_after)]
     assert texts[5] == str(row.longest_before)
     assert texts[8:10] == [str(row.filled), str(row.unfilled)]
-    assert texts[10].startswith("Linear ")
+    assert texts[10] == "—", "nothing is smoothed"
+    assert texts[11].startswith("Linear ")
     table.selectRow(marker)
     assert workspace.view.selection == (marker,)
     table.sortByColumn(1, Qt.SortOrder.DescendingOrder)

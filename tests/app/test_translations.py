@@ -134,7 +134,7 @@ def test_menus_have_different_keys_in_chinese() -> None:
         if message.context == "Menus" and "&" in message.source
     ]
     keys = [re.findall(r"\(&(\w)\)", text) for text in titles]
-    assert len(keys) == 8
+    assert len(keys) == 9
     assert all(len(found) == 1 for found in keys)
     assert len({found[0] for found in keys}) == len(keys)
 

@@ -39,11 +39,11 @@ from mocapmend_algorithms.fill.model_params import (
     model_edges_option,
 )
 from mocapmend_algorithms.fill.motion_codes import read_motions
-from mocapmend_algorithms.fill.params import training_option
 from mocapmend_algorithms.fill.pose_regression import View
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.fill.window import Windows
 from mocapmend_algorithms.gaps import Gap, seen_outside
+from mocapmend_algorithms.params import training_option
 from mocapmend_algorithms.progress import Progress, no_progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import find_body

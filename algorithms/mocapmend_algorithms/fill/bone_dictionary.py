@@ -30,10 +30,10 @@ from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import Modelled, meet_edges
 from mocapmend_algorithms.fill.keep_bones import joined_by_bones, only, projected, pulled
 from mocapmend_algorithms.fill.motion_codes import MotionCodeParams, Way, read_motions, tell_gaps
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.fill.trained_parts import TrainedParts
 from mocapmend_algorithms.gaps import Gap, seen_outside
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import Body, find_body

@@ -32,11 +32,11 @@ from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.fill.company import LEAST_FRAMES, seen_together
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, obstacle
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.posture_space import PostureSpace
 from mocapmend_algorithms.fill.posture_sweeps import follow
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 

@@ -16,10 +16,10 @@ from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.cycles import Place, from_cycles
 from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.period import find_period
 from mocapmend_algorithms.fill.selftest import Calibration, TrialFinder, calibrate
 from mocapmend_algorithms.gaps import Gap, seen_outside
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 

@@ -15,8 +15,8 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch, Unfilled
 from mocapmend_algorithms.fill.model_params import ModelEdges, model_edges_option
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.recording import Recording
 
 DECAY_S = 1.0

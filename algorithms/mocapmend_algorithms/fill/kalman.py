@@ -31,10 +31,10 @@ from mocapmend_algorithms.fill.excerpt import Excerpt, cut, excerpt_frames
 from mocapmend_algorithms.fill.gate import MOST_SAMPLES, unbelievable
 from mocapmend_algorithms.fill.kalman_settings import causal, two_sided, velocity_steps
 from mocapmend_algorithms.fill.neighbours import choose_donors
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.trusted import TrustedSamples
 from mocapmend_algorithms.fill.window import Candidate, WindowMethod, fill_windows
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 

@@ -25,9 +25,9 @@ from mocapmend_algorithms.fill.model_params import (
     donors_option,
     model_edges_option,
 )
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.survey import Survey
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 

@@ -2,7 +2,7 @@
 
 from typing import Any, Literal
 
-from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.params import option
 
 ModelEdges = Literal["fill", "leave"]
 

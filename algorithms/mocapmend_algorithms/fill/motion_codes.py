@@ -10,8 +10,8 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.company import few_frames, seen_together
 from mocapmend_algorithms.fill.edges import Doubt, EdgeParams, Modelled, obstacle, with_edges
-from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option, training_option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.body import Body

@@ -18,12 +18,12 @@ from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.fill.company import few_frames, few_helpers
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, obstacle
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.pca_basis import Basis
 from mocapmend_algorithms.fill.pca_groups import LEAST_HELPERS, Group, r1, r2
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.fill.punch_errors import BareFill
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 

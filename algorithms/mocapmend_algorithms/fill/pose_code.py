@@ -30,10 +30,10 @@ from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.edges import EdgeParams, Modelled, meet_edges, obstacle, with_edges
 from mocapmend_algorithms.fill.known_poses import KnownPoses, Library, of_recording, of_training_set
-from mocapmend_algorithms.fill.params import option, training_option
 from mocapmend_algorithms.fill.punch_bands import fill_with_bands
 from mocapmend_algorithms.fill.punch_errors import BareFill
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option, training_option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.sparse.pose_dictionary import PoseDictionary, Reading

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
+from mocapmend_algorithms import params
 from mocapmend_algorithms.fill import (
     auto,
     bone_dictionary,
@@ -12,7 +13,6 @@ from mocapmend_algorithms.fill import (
     interpolate,
     kalman,
     local_frame,
-    params,
     pca,
     pose_code,
     smbs,

@@ -14,7 +14,6 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult, Patch
 from mocapmend_algorithms.fill.each import LeftOpenError, fill_each
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.selftest import (
     Calibration,
     TrialFinder,
@@ -23,6 +22,7 @@ from mocapmend_algorithms.fill.selftest import (
     turn,
 )
 from mocapmend_algorithms.gaps import Gap, seen_outside
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 

@@ -22,9 +22,9 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import FillResult
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.fill.window import Edges, WindowMethod, edges_option, fill_windows
 from mocapmend_algorithms.gaps import Gap
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import rigid_mates

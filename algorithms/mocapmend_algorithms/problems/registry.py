@@ -33,7 +33,7 @@ class Detector:
     function : DetectFunction
         The detector.
     params : type
-        Frozen dataclass of its parameters, with defaults; see `fill.params.option`.
+        Frozen dataclass of its parameters, with defaults; see `params.option`.
     help : str
         What it finds and where it fails, for the user.
     remedy : str

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
-from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.crossings import Crossing, find_crossings, find_jumps
 from mocapmend_algorithms.problems.distances import distances_of

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
-from mocapmend_algorithms.fill.params import option
 from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.mates import mates_of
 from mocapmend_algorithms.progress import Progress, part

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mocapmend_algorithms.fill import params
+from mocapmend_algorithms import params
 from mocapmend_algorithms.smooth import butterworth, gcv, kalman_smoother, savgol
 from mocapmend_algorithms.smooth.contract import SmoothFunction
 
@@ -71,6 +71,8 @@ _ALL = (
 )
 
 SMOOTHERS: dict[str, Smoother] = {smoother.id: smoother for smoother in _ALL}
+AMOUNTS = ("cutoff_hz", "window_ms", "noise_mm")
+"""Parameters that say how much is smoothed; a method chooses it where all it has are None."""
 SUGGESTED = "gcv"
 """Where the user has named none."""
 

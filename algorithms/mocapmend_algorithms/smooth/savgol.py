@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.fill.params import option
+from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.smooth.contract import Run, SmoothResult

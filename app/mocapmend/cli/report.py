@@ -12,7 +12,7 @@ from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
 from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile, Source, check_files, read_recording, same_file
-from mocapmend.report import About, RepairRow, check_report_ending
+from mocapmend.report import About, RepairRow, SmoothRow, check_report_ending, put_right
 from mocapmend_algorithms.fill.contract import Unfilled
 
 
@@ -74,6 +74,10 @@ def _about(original: Source, repaired: Source) -> About:
     both_c3d = isinstance(original, C3DFile) and isinstance(repaired, C3DFile)
     found = check_files(original.path, repaired.path) if both_c3d else None
     provenance = repaired.provenance
+    smoothed = (
+        SmoothRow.of(run, one.method, one.parameters, one.chosen, one.rms_change_mm)
+        for run, one in repaired.smoothed.items()
+    )
     return About(
         file=repaired.path.name,
         methods=tuple(sorted({record.method for record in repaired.repairs})),
@@ -81,6 +85,7 @@ def _about(original: Source, repaired: Source) -> About:
         earlier=len(repaired.repairs),
         earlier_program=provenance.program if provenance is not None else "",
         proof=() if found is None else (found.sentence, *found.allowed, *found.other_differences),
+        put_right=put_right(repaired.set_aside, repaired.moves, smoothed),
     )
 
 

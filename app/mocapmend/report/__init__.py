@@ -2,6 +2,7 @@
 
 from mocapmend.report.methods import Methods, describe, method_text
 from mocapmend.report.model import About, EditRow, MarkerRow, OpenGap, RepairRow, Report
+from mocapmend.report.put_right import PutRight, SmoothRow, put_right
 from mocapmend.report.rows import repair_rows
 from mocapmend.report.summary import summarise
 from mocapmend.report.writing import ENDINGS, check_report_ending, write_report
@@ -13,11 +14,14 @@ __all__ = [
     "MarkerRow",
     "Methods",
     "OpenGap",
+    "PutRight",
     "RepairRow",
     "Report",
+    "SmoothRow",
     "check_report_ending",
     "describe",
     "method_text",
+    "put_right",
     "repair_rows",
     "summarise",
     "write_report",

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from mocapmend import __version__
-from mocapmend.report import charts, tables
+from mocapmend.report import charts, put_right_text, tables
 from mocapmend.report.methods import describe
 from mocapmend.report.model import About, Report
+from mocapmend.report.put_right import PutRight
 from mocapmend.report.tables import Table
 from mocapmend_algorithms.metrics import SuccessCurves
 
@@ -93,8 +94,10 @@ def contents(report: Report, about: About) -> Content:
         Section("success", "Tracking success", tuple(_success(report))),
         Section("bones", "Bone lengths", tuple(_bones(report))),
         Section("markers", "Markers", tuple(_markers(report))),
+        Section("bad", "Bad samples", tuple(_bad(about.put_right))),
         Section("repairs", "Repairs", tuple(_repairs(report))),
         Section("open", "Gaps left open", tuple(_open(report))),
+        Section("smoothing", "Smoothing", tuple(_smoothing(report, about.put_right))),
         Section("history", "History of edits", tuple(_history(report, about))),
         Section("check", "Check of the written file", tuple(_check(about))),
     )
@@ -121,8 +124,22 @@ def _facts(report: Report, about: About) -> Iterator[tuple[str, str]]:
         else ""
     )
     yield "Repaired", f"{_count(len(report.repairs), 'gap')}, {_count(filled, 'sample')}{earlier}"
+    yield from _put_right(about.put_right)
     unfilled = sum(row.unfilled for row in report.markers)
     yield "Left open", f"{_count(len(report.open_gaps), 'gap')}, {_count(unfilled, 'sample')}"
+
+
+def _put_right(done: PutRight) -> Iterator[tuple[str, str]]:
+    if done.aside:
+        counts = (f"{row.problem}: {row.samples}" for row in done.aside)
+        samples = sum(row.samples for row in done.aside)
+        yield "Set aside", f"{_count(samples, 'sample')} ({', '.join(counts)})"
+    if done.moved_runs:
+        samples, markers = done.moved_samples, done.moved_markers
+        yield "Exchanged", f"{_count(samples, 'sample')} of {_count(markers, 'marker')}"
+    if done.smoothed:
+        methods = ", ".join(dict.fromkeys(row.method for row in done.smoothed))
+        yield "Smoothed", f"{_count(done.smoothed_markers, 'marker')} ({methods})"
 
 
 def _warnings(about: About) -> Iterator[Part]:
@@ -201,6 +218,28 @@ def _markers(report: Report) -> Iterator[Part]:
         yield Text(
             f"{complete} {further}{'marker is' if complete == 1 else 'markers are'} complete."
         )
+
+
+def _bad(done: PutRight) -> Iterator[Part]:
+    if done.aside:
+        yield Text(
+            "Measured samples that were set aside count as missing; what was measured is kept in "
+            "the repair record.",
+            dim=True,
+        )
+        yield tables.set_aside(done)
+    if sentence := put_right_text.exchanged(done):
+        yield Text(sentence)
+
+
+def _smoothing(report: Report, done: PutRight) -> Iterator[Part]:
+    if done.smoothed:
+        yield Text(
+            "What was measured there is in the original file alone. Cut-off: of x, y and z, or of "
+            "all three. RMS change: how far samples were moved, root mean square.",
+            dim=True,
+        )
+        yield tables.smoothing(report, done)
 
 
 def _repairs(report: Report) -> Iterator[Part]:

@@ -8,10 +8,11 @@ from math import isnan
 from statistics import median
 
 from mocapmend import __version__
+from mocapmend.report import put_right_text
 from mocapmend.report.model import About, RepairRow, Report
 from mocapmend.report.sources import SOURCES
-from mocapmend_algorithms.fill.params import write_words
 from mocapmend_algorithms.fill.registry import METHODS
+from mocapmend_algorithms.params import write_words
 
 MOST_REASONS = 4
 MOST_SETTINGS = 6
@@ -66,14 +67,17 @@ def describe(report: Report, about: About) -> Methods:
         references += [r for r in (source.references if source else ()) if r not in references]
     sentences = (
         _facts(report, about),
-        _filled(report, used, references),
+        put_right_text.exchanged(about.put_right),
+        put_right_text.set_aside(about.put_right),
+        _filled(report, about, used, references),
         _settings(about),
         _earlier(report, about),
         _lengths(report),
         _errors(report.repairs),
         f"Limits: {about.limits}." if about.limits else "",
         _left_open(report),
-        _untouched(report),
+        put_right_text.smoothed(report, about.put_right, references),
+        _untouched(report, about),
         f"Check of the written file: {about.proof[0]}" if about.proof else "",
     )
     return Methods(" ".join(filter(None, sentences)), tuple(references))
@@ -107,7 +111,7 @@ def _facts(report: Report, about: About) -> str:
     samples = report.frames * len(report.labels)
     share = 100 * report.missing_before / max(samples, 1)
     gaps = sum(row.gaps_before for row in report.markers)
-    done = "repaired" if len(report.repairs) > about.earlier else "examined"
+    done = "repaired" if len(report.repairs) > about.earlier or about.put_right else "examined"
     return (
         f"The recording {about.file} ({_count(len(report.labels), 'marker')}, "
         f"{_count(report.frames, 'frame')} at {report.rate:g} Hz, "
@@ -117,9 +121,10 @@ def _facts(report: Report, about: About) -> str:
     )
 
 
-def _filled(report: Report, used: Counter[str], references: Sequence[str]) -> str:
+def _filled(report: Report, about: About, used: Counter[str], references: Sequence[str]) -> str:
     listed = sum(row.gap.length for row in report.repairs)
-    others = sum(row.filled for row in report.markers) - listed
+    # What was missing may be there because it was exchanged.
+    others = sum(row.filled for row in report.markers) - listed - about.put_right.moved_samples
     text = "" if used or others > 0 else "No gap was filled."
     if used:
         ways = "; ".join(_way(method, n, references) for method, n in used.most_common())
@@ -211,7 +216,12 @@ def _kind(reason: str) -> str:
     return next((text for pattern, text in KINDS if pattern.match(reason)), reason)
 
 
-def _untouched(report: Report) -> str:
+def _untouched(report: Report, about: About) -> str:
+    if report.altered and about.put_right:
+        return (
+            f"By all of this, {_count(report.altered, 'measured sample')} "
+            f"{_was(report.altered)} changed."
+        )
     if report.altered:
         return (
             f"Besides, {_count(report.altered, 'measured sample')} {_was(report.altered)} changed."

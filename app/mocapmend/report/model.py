@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from mocapmend.files.records import RepairRecord
+from mocapmend.report.put_right import NOTHING_PUT_RIGHT, PutRight
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import Patch
@@ -99,6 +100,8 @@ class About:
         What the checks of the written file found; empty where none was written.
     edits : tuple of EditRow
         The steps, in order.
+    put_right : PutRight
+        What was set aside, exchanged and smoothed, by earlier repairs too.
     """
 
     file: str
@@ -109,6 +112,7 @@ class About:
     earlier_program: str = ""
     proof: tuple[str, ...] = ()
     edits: tuple[EditRow, ...] = ()
+    put_right: PutRight = NOTHING_PUT_RIGHT
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,19 @@ class Source:
     references: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class SmoothingSource(Source):
+    """A smoothing method as a paper names it; the phrase goes after "smoothed by".
+
+    Attributes
+    ----------
+    choice : str
+        What chooses how much is smoothed, where the user does not.
+    """
+
+    choice: str = ""
+
+
 def _source(phrase: str, *references: str) -> Source:
     return Source(phrase, references)
 
@@ -28,6 +41,18 @@ _GLOERSEN = (
     "using marker intercorrelations. PLoS ONE 11(3):e0152616."
 )
 _FEDEROLF = "Federolf P (2013). PLoS ONE 8(10):e78689."
+_WOLTRING = (
+    "Woltring HJ (1986). A Fortran package for generalized, cross-validatory spline smoothing and "
+    "differentiation. Advances in Engineering Software 8(2):104–113."
+)
+_SAVITZKY = (
+    "Savitzky A, Golay MJE (1964). Smoothing and differentiation of data by simplified least "
+    "squares procedures. Analytical Chemistry 36(8):1627–1639."
+)
+_RAUCH = (
+    "Rauch HE, Tung F, Striebel CT (1965). Maximum likelihood estimates of linear dynamic systems. "
+    "AIAA Journal 3(8):1445–1450."
+)
 _WANG = (
     "Wang, Lu, Han (2018). Distorted human motion capture data recovery based on skeleton "
     "constraint. Computer Systems & Applications 27(5):17–25."
@@ -40,8 +65,7 @@ SOURCES = {
     "pchip": _source("monotone piecewise cubic interpolation"),
     "woltring": _source(
         "a quintic smoothing spline with generalised cross-validation",
-        "Woltring HJ (1986). A Fortran package for generalized, cross-validatory spline "
-        "smoothing and differentiation. Advances in Engineering Software 8(2):104–113.",
+        _WOLTRING,
     ),
     "cyclic": _source("the same phase of neighbouring motion cycles"),
     "rigid": _source(
@@ -83,3 +107,29 @@ SOURCES = {
     ),
 }
 """By method id. Most methods deviate from the papers: the modules of the methods say how."""
+
+SMOOTHING = {
+    "butterworth": SmoothingSource(
+        "a zero-lag Butterworth low-pass filter",
+        (
+            "Winter DA (2009). Biomechanics and Motor Control of Human Movement, 4th ed. Wiley.",
+            "Mallows CL (1973). Some comments on Cp. Technometrics 15(4):661–675.",
+        ),
+        "residual analysis",
+    ),
+    "savgol": SmoothingSource(
+        "a Savitzky-Golay filter",
+        (_SAVITZKY,),
+        "generalised cross-validation",
+    ),
+    "gcv": SmoothingSource("a quintic spline", (_WOLTRING,), "generalised cross-validation"),
+    "kalman-smoother": SmoothingSource(
+        "a Kalman smoother of each coordinate",
+        (
+            _RAUCH,
+            "de Jong P (1991). The diffuse Kalman filter. Annals of Statistics 19(2):1073–1083.",
+        ),
+        "maximum likelihood",
+    ),
+}
+"""By id of the smoothing method."""

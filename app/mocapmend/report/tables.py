@@ -6,6 +6,7 @@ from math import isnan
 from typing import ClassVar, Literal
 
 from mocapmend.report.model import About, MarkerRow, RepairRow, Report
+from mocapmend.report.put_right import PutRight
 from mocapmend_algorithms import Gap
 
 MOST_ROWS = 1000
@@ -166,6 +167,45 @@ def open_gaps(report: Report) -> Table:
             "longest gaps",
             "“mocapmend gaps --json” lists all gaps of a file, “mocapmend repair --json” also "
             "says why each stayed open.",
+        ),
+    )
+
+
+def set_aside(done: PutRight) -> Table:
+    """List what was set aside, problem by problem."""
+    return Table(
+        (Column("Problem", "name"), Column("Runs"), Column("Samples")),
+        tuple((row.problem, str(row.runs), str(row.samples)) for row in done.aside),
+    )
+
+
+def smoothing(report: Report, done: PutRight) -> Table:
+    """List the smoothed runs; where there are too many, those that were changed most."""
+    shown = list(done.smoothed)
+    if len(shown) > MOST_ROWS:
+        shown.sort(key=lambda row: row.rms_mm if isnan(row.rms_mm) else -row.rms_mm)
+        shown = sorted(shown[:MOST_ROWS], key=lambda row: row.run)
+    return Table(
+        (
+            *_place_columns(),
+            Column("Method", "name"),
+            Column("Cut-off (Hz)"),
+            Column("RMS change (mm)"),
+        ),
+        tuple(
+            (
+                *_place(report, row.run),
+                row.method + (f" ({', '.join(row.chosen)})" if row.chosen else ""),
+                row.cutoff_text or "—",
+                number(row.rms_mm, 2),
+            )
+            for row in shown
+        ),
+        _cut(
+            len(done.smoothed),
+            len(shown),
+            "smoothed runs with the largest changes",
+            "The repair record of the repaired file lists all.",
         ),
     )
 

@@ -11,16 +11,22 @@ from PySide6.QtCore import QCoreApplication
 
 from mocapmend.errors import MocapmendError
 from mocapmend.views.catalogue.checks import CHECKS, SEPARATOR
+from mocapmend.views.catalogue.corrections import CORRECTIONS
 from mocapmend.views.catalogue.errors import ERRORS
 from mocapmend.views.catalogue.labels import LABELS
 from mocapmend.views.catalogue.reasons import REASONS
+from mocapmend.views.catalogue.smoothing import SMOOTHING
 from mocapmend.views.catalogue.warnings import WARNINGS
 from mocapmend_algorithms.fill.registry import method_label
+from mocapmend_algorithms.smooth.registry import smoother_label
 
-SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *LABELS)
+SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *CORRECTIONS, *SMOOTHING, *LABELS)
 _PLACE = re.compile(r"\{\d\}")
 _METHOD_LAST = {"fill {0} gaps ({1})", "fill {0} ({1})"}
 """Sentences whose last part is a method's id; a marker may be called like one."""
+_DETECTOR_LAST = {"fix {0} problems ({1})", "fix {0} ({1})"}
+"""Sentences whose last part is a detector's id."""
+_SMOOTHER_LAST = {"smooth {0} markers ({1})", "smooth {0} ({1})"}
 
 
 def method_text(text: str) -> str:
@@ -31,6 +37,25 @@ def method_text(text: str) -> str:
 def method_name(method_id: str) -> str:
     """Return a method's label in the user's language; the id of one that is not known."""
     return method_text(method_label(method_id))
+
+
+def detector_text(text: str) -> str:
+    """Return a label or a help of the table of detectors in the user's language."""
+    return QCoreApplication.translate("Detectors", text)
+
+
+def detector_name(detector_id: str) -> str:
+    """Return a detector's label in the user's language; the id of one that is not known."""
+    # Not at the top: the window starts without it.
+    from mocapmend_algorithms.problems.registry import DETECTORS
+
+    known = DETECTORS.get(detector_id)
+    return detector_id if known is None else detector_text(known.label)
+
+
+def smoother_name(smoother_id: str) -> str:
+    """Return a smoothing method's label in the user's language, as `method_name`."""
+    return method_text(smoother_label(smoother_id))
 
 
 def segment_name(name: str) -> str:
@@ -58,6 +83,10 @@ def shown(text: str) -> str:
     translated = QCoreApplication.translate("Sentences", template)
     if template in _METHOD_LAST:
         return translated.format(*parts[:-1], method_name(parts[-1]))
+    if template in _DETECTOR_LAST:
+        return translated.format(*parts[:-1], detector_name(parts[-1]))
+    if template in _SMOOTHER_LAST:
+        return translated.format(*parts[:-1], smoother_name(parts[-1]))
     return translated.format(*map(_shown_part, parts)) if parts else translated
 
 

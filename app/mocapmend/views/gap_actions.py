@@ -57,9 +57,9 @@ class GapActions(QObject):
             self._view.set_gap(self._document.gap_near(gap.marker, middle))
 
     def step(self, step: int) -> None:
-        """Go to the next (1) or previous (-1) gap of the queue."""
+        """Go to the next (1) or previous (-1) problem of the queue."""
         if not self._queue.step(step):
-            self.message.emit(self.tr("No gap is left in the queue."))
+            self.message.emit(self.tr("No problem is left in the queue."))
 
     def step_here(self, step: int) -> None:
         """Go to the next (1) or previous (-1) open gap of the current marker, in time."""

@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.theme import AXIS_COLOURS, Theme
+from mocapmend.views.bad_painter import BadPainter
 from mocapmend.views.columns import Floats, column_edges, columns_with
 from mocapmend.views.lane import (
     Frame,
@@ -25,6 +26,9 @@ from mocapmend.views.lane import (
 )
 from mocapmend.views.quantities import Curve, Quantity, Series
 from mocapmend.viewstate import Preview
+from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.smooth.contract import SmoothedRun
 
 FILL_OVERLAY_FRAMES = 20_000
 """Above this many visible frames the fills are told by their shade alone."""
@@ -37,9 +41,14 @@ LEAST_NUMBERED = 70.0
 """Pixels that a gap takes before the candidates have their numbers: else they lie in a heap."""
 DASHES = ([6, 3], [2, 3], [9, 3, 2, 3], [4, 2], [12, 4], [2, 2, 6, 2], [1, 3], [8, 2])
 """Of the candidates by their numbers."""
+SMOOTHING_DASHES = [3.0, 4.0]
 BEHIND = 0.67
 """Share of the colours of the curves that are not worked on."""
 
+RAIL = 3
+"""Height of the line at the foot of what is smoothed, in pixels."""
+
+Pixels = NDArray[np.uint32]
 Candidates = Sequence[tuple[int, Preview]]
 """Repairs of a gap with their numbers."""
 
@@ -67,7 +76,8 @@ class LanePainter:
         self.theme = theme
         self.series = Series(document)
         self._document = document
-        self._strips: dict[tuple[int, ...], NDArray[np.uint32]] = {}
+        self._strips: dict[tuple[int, ...], tuple[Pixels, Pixels]] = {}
+        self.bad = BadPainter(document, self.series)
 
     def title(self, lane: Lane) -> str:
         """Return what a plot is called, with the unit where it is not that of the recording."""
@@ -93,15 +103,19 @@ class LanePainter:
         preview: Preview | None,
         others: Candidates = (),
         *,
+        suspect: BadRun | None = None,
+        smoothing: Sequence[SmoothedRun] = (),
         same_scale: bool = False,
     ) -> list[Frame]:
         """Paint lanes and return the frames that they were painted in.
 
-        Other candidates are drawn behind the preview, each with its number, as far as they fit.
+        Other candidates are drawn behind the preview, each with its number, as far as they fit. Of
+        a suspect that is to be exchanged it is drawn how it would be; set aside, it is in view.
+        Runs that are not smoothed yet are drawn as they would be, over what they are.
         With the same scale for x, y and z their units are equally high in all lanes.
         """
         self._strips.clear()
-        spans = [self._span(lane, rect, visible, preview) for lane, rect in lanes]
+        spans = [self._span(lane, rect, visible, preview, suspect) for lane, rect in lanes]
         if same_scale:
             places = [i for i, (lane, _) in enumerate(lanes) if lane.quantity.kind == "position"]
             half = max((spans[i][1] - spans[i][0] for i in places), default=0.0) / 2
@@ -112,17 +126,25 @@ class LanePainter:
         for (lane, rect), span in zip(lanes, spans, strict=True):
             frame = Frame(rect, *visible, *span)
             frames.append(frame)
-            self._paint_lane(painter, frame, lane, preview, others)
+            self._paint_lane(painter, frame, lane, preview, others, suspect)
+            self._paint_smoothing(painter, frame, lane, smoothing)
         return frames
 
     def _span(
-        self, lane: Lane, rect: QRectF, visible: tuple[float, float], preview: Preview | None
+        self,
+        lane: Lane,
+        rect: QRectF,
+        visible: tuple[float, float],
+        preview: Preview | None,
+        suspect: BadRun | None,
     ) -> tuple[float, float]:
         """Return the values that a lane has to show."""
         width = int(rect.width())
         values = [self.series.line(lane.quantity, c, visible, width)[1] for c in lane.curves]
         frames, inside = self._preview_line(preview, lane)
         values.append(inside[(frames >= visible[0]) & (frames <= visible[1])])
+        if suspect is not None:
+            values += self.bad.stored(lane.quantity, lane.curves, suspect)
         return value_range(values)
 
     def _paint_lane(
@@ -132,6 +154,7 @@ class LanePainter:
         lane: Lane,
         preview: Preview | None,
         others: Candidates,
+        suspect: BadRun | None,
     ) -> None:
         rect, quantity = frame.rect, lane.quantity
         message = self._message(lane)
@@ -149,6 +172,9 @@ class LanePainter:
             pen = thin(painter, mixed(self.theme.base, curve.colour, share))
             paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
             self._paint_fills(painter, frame, quantity, curve)
+            self.bad.paint(painter, frame, quantity, curve, self.theme)
+        if suspect is not None:
+            self.bad.paint_exchange(painter, frame, quantity, lane.curves, suspect)
         for number, other in others:
             self._paint_candidate(painter, frame, lane, number, other)
         self._paint_preview(painter, frame, lane, preview)
@@ -175,32 +201,43 @@ class LanePainter:
         paint_on_ground(painter, place, title, self.theme)
 
     def _paint_background(self, painter: QPainter, frame: Frame, lane: Lane) -> None:
-        """Fill a lane, shaded where the marker worked on is missing or filled."""
+        """Fill a lane, shaded where the marker worked on is missing, filled or smoothed."""
         rect = frame.rect
         markers = lane.curves[-1].markers if lane.curves else ()
         if markers not in self._strips:
             self._strips[markers] = self._strip(markers, frame, int(rect.width()))
-        pixels = np.repeat(self._strips[markers][None], int(rect.height()), axis=0)
+        shade, rail = self._strips[markers]
+        pixels = np.repeat(shade[None], int(rect.height()), axis=0)
+        # A shape besides the shade: at the foot of what is smoothed there is a line.
+        pixels[-RAIL:] = rail
         height, width = pixels.shape
         image = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
         painter.drawImage(rect, image)
 
-    def _strip(self, markers: tuple[int, ...], frame: Frame, width: int) -> NDArray[np.uint32]:
-        """Return the background of each column, shape (width,)."""
+    def _strip(self, markers: tuple[int, ...], frame: Frame, width: int) -> tuple[Pixels, Pixels]:
+        """Return the background of each column and that of its foot, each of shape (width,)."""
         edges = column_edges(frame.start, frame.stop, width)
         ground, gap_shade = self.theme.base, self.theme.gap_shade
         strip = np.full(width, mixed(ground, gap_shade, 0.0).rgb(), np.uint32)
         # Missing last: a gap must show even where it shares its column with a fill.
         for state, shade in (
+            (SampleState.SMOOTHED, self.theme.smooth_shade),
             (SampleState.FILLED, self.theme.fill_shade),
             (SampleState.NEVER, gap_shade),
+            (SampleState.BAD, gap_shade),
             (SampleState.MISSING, gap_shade),
         ):
             for marker in markers:
                 runs = self._document.runs(marker, state)
                 if len(runs):
                     strip[columns_with(runs, edges)] = mixed(ground, shade).rgb()
-        return strip
+        foot = strip.copy()
+        for marker in markers:
+            runs = self._document.runs(marker, SampleState.SMOOTHED)
+            if len(runs):
+                colour = QColor(self.theme.state_colour(SampleState.SMOOTHED))
+                foot[columns_with(runs, edges)] = colour.rgb()
+        return strip, foot
 
     def _paint_fills(
         self, painter: QPainter, frame: Frame, quantity: Quantity, curve: Curve
@@ -217,6 +254,28 @@ class LanePainter:
                 frames = np.arange(max(0, start - 1), min(len(values), stop + 1))
                 paint_line(painter, frame, frames, values[frames], pen)
 
+    def _paint_smoothing(
+        self, painter: QPainter, frame: Frame, lane: Lane, smoothing: Sequence[SmoothedRun]
+    ) -> None:
+        """Draw runs as they would be when they are smoothed, dashed."""
+        painter.setClipRect(frame.rect)
+        # What is measured is seen between the dashes.
+        pen = QPen(QColor(self.theme.preview), 2)
+        pen.setDashPattern(SMOOTHING_DASHES)
+        for done in smoothing:
+            curve = next((c for c in lane.curves if done.run.marker in c.markers), None)
+            # Of what is seen alone: a recording may have a million frames.
+            start = max(done.run.start, int(frame.start) - 2)
+            stop = min(done.run.stop, int(frame.stop) + 3)
+            if curve is None or stop <= start or stop - start > FILL_OVERLAY_FRAMES:
+                continue
+            seen = Gap(done.run.marker, start, stop)
+            values = done.values[start - done.run.start : stop - done.run.start]
+            paint_line(
+                painter, frame, *self.series.patched(lane.quantity, curve, seen, values), pen
+            )
+        painter.setClipping(False)
+
     def _preview_line(self, preview: Preview | None, lane: Lane) -> tuple[Floats, Floats]:
         """Return frames and values of a lane as a preview would make them; empty without one."""
         if preview is None or preview.patch is None:
@@ -225,7 +284,7 @@ class LanePainter:
         curve = next((curve for curve in lane.curves if marker in curve.markers), None)
         if curve is None:
             return np.empty(0), np.empty(0)
-        return self.series.patched(lane.quantity, curve, preview.patch)
+        return self.series.patched(lane.quantity, curve, preview.gap, preview.patch.values)
 
     def _paint_candidate(
         self, painter: QPainter, frame: Frame, lane: Lane, number: int, candidate: Preview

@@ -1,5 +1,7 @@
 """The picture of all lanes: the state of every marker in every column, told by colour and shape."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor, QImage
@@ -9,24 +11,27 @@ from mocapmend.state import SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.columns import column_edges
 from mocapmend.views.run_index import RunIndex
+from mocapmend_algorithms.problems import BadRun
 
+SUSPECT = len(SampleState)
+"""Stands for measured samples that are held for bad; it is no state of them."""
 PERIOD = 4
 """Columns after which a pattern repeats."""
 # Missing last: a gap must show even where it shares its column with others.
 PAINTED = sorted(set(SampleState) - {SampleState.MEASURED}, key=lambda s: s is SampleState.MISSING)
 
 
-def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
+def shape_of(state: int, height: int) -> NDArray[np.bool_]:
     """Return which pixels of a lane have a state's colour, so that shapes tell the states apart.
 
     Every column of every state but the measured has some, or a single frame could be lost.
 
     Parameters
     ----------
-    state : SampleState
+    state : int
         Measured samples are a thin line, missing ones a full bar, bad ones a chequered bar and
-        fills are two rails. Smoothed samples are a line that reaches the top. Any further state is
-        a ladder.
+        fills are two rails. Smoothed samples are a line that reaches the top, and a `SUSPECT` is
+        one with teeth. Any further state is a ladder.
     height : int
         Pixels of the lane.
 
@@ -43,6 +48,7 @@ def shape_of(state: SampleState, height: int) -> NDArray[np.bool_]:
         SampleState.BAD: (2 * x // PERIOD + y) % 2 == 0,
         SampleState.FILLED: rails,
         SampleState.SMOOTHED: y < height - rail,
+        SUSPECT: ~rails | (x % 2 == 0),
     }
     return np.asarray(shapes.get(state, rails | (x < PERIOD // 2)))
 
@@ -62,6 +68,7 @@ class LanePicture:
         self._document = document
         self._theme = theme
         self._indices: dict[SampleState, RunIndex] = {}
+        self._suspects: RunIndex | None = None
         self._image: QImage | None = None
         self._key: object = None
         self._pixels: NDArray[np.uint8] | None = None
@@ -69,6 +76,13 @@ class LanePicture:
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
         self._theme = theme
+        self._image = None
+
+    def set_suspects(self, runs: Mapping[int, Sequence[BadRun]]) -> None:
+        """Mark measured samples of markers that are held for bad."""
+        markers = range(self._document.original.markers)
+        spans = [sorted((run.start, run.stop) for run in runs.get(m, ())) for m in markers]
+        self._suspects = RunIndex([np.array(of, np.int64).reshape(-1, 2) for of in spans])
         self._image = None
 
     def forget(self) -> None:
@@ -108,6 +122,8 @@ class LanePicture:
                 runs = [self._document.runs(m, state) for m in range(len(row_of))]
                 self._indices[state] = RunIndex(runs)
             states.reshape(-1)[self._indices[state].cells(row_of, edges)] = state
+        if self._suspects is not None:
+            states.reshape(-1)[self._suspects.cells(row_of, edges)] = SUSPECT
         return states
 
     def _paint(self, states: NDArray[np.uint8], height: int) -> QImage:
@@ -131,8 +147,9 @@ class LanePicture:
     def _colours(self, height: int) -> NDArray[np.uint32]:
         """Return the colour of every state and column of the pattern, by row of a lane."""
         ground = QColor(self._theme.window).rgb()
-        table = np.full((height, len(SampleState), PERIOD), ground, np.uint32)
-        for state in SampleState:
-            colour = QColor(self._theme.state_colour(state)).rgb()
+        table = np.full((height, len(SampleState) + 1, PERIOD), ground, np.uint32)
+        for state in (*SampleState, SUSPECT):
+            shown = SampleState.BAD if state == SUSPECT else SampleState(state)
+            colour = QColor(self._theme.state_colour(shown)).rgb()
             table[:-1, state][shape_of(state, height - 1)] = colour
         return table.reshape(height, -1)

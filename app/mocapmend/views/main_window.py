@@ -221,6 +221,7 @@ class MainWindow(QMainWindow):
         workspace.document.names_changed.connect(self._show_notes)
         self._keys.guard(workspace)
         workspace.repair.rebuilt.connect(self._guard_repairs)
+        workspace.smooth.rebuilt.connect(self._guard_repairs)
         workspace.paint_later()
         self.documents.add(workspace, instead_of)
         if instead_of is not None:
@@ -239,7 +240,9 @@ class MainWindow(QMainWindow):
         self.files.close(self.documents.at(index))
 
     def _guard_repairs(self) -> None:
-        self.with_all(lambda workspace: self._keys.guard(workspace.repair))
+        for workspace in self.documents:
+            self._keys.guard(workspace.repair)
+            self._keys.guard(workspace.smooth)
 
     # --- showing -----------------------------------------------------------------------------
 

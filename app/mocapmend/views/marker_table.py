@@ -31,7 +31,7 @@ from mocapmend.document import Document
 from mocapmend.renaming import without_label
 from mocapmend.state import SampleState
 from mocapmend.theme import Theme
-from mocapmend.views.engine_texts import segment_name
+from mocapmend.views.engine_texts import segment_name, smoother_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.tables import LEFT, RIGHT, dress, narrow
 from mocapmend.viewstate import ViewState
@@ -151,7 +151,20 @@ class MarkerModel(QAbstractTableModel):
         tip = self.tr("{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled").format(
             label, len(gaps), longest, round(1000.0 * longest / original.rate), filled
         )
-        return f"{tip}\n{segment}" if (segment := self._segment(marker)) else tip
+        aside = int(np.diff(self._document.runs(marker, SampleState.BAD), axis=1).sum())
+        bad = self.tr("{0} samples set aside").format(aside) if aside else ""
+        return "\n".join(filter(None, (tip, bad, self._smoothed(marker), self._segment(marker))))
+
+    def _smoothed(self, marker: int) -> str:
+        """Say how it is smoothed."""
+        made = [how for run, how in self._document.smoothed.items() if run.marker == marker]
+        if not made:
+            return ""
+        methods = ", ".join(dict.fromkeys(smoother_name(how.method) for how in made))
+        moved = max(how.rms for how in made) * self._document.original.mm
+        samples = int(np.diff(self._document.runs(marker, SampleState.SMOOTHED), axis=1).sum())
+        text = self.tr("{0} samples smoothed: {1}, moved by {2} mm RMS")
+        return text.format(samples, methods, f"{moved:.2f}")
 
     def _segment(self, marker: int) -> str:
         """Say with which markers it moves as one."""

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtWidgets import QCompleter, QHBoxLayout, QLineEdit, QPushButton, QWidget
 
-from mocapmend_algorithms.fill.params import Words, parse_words, write_words
+from mocapmend_algorithms.params import Words, parse_words, write_words
 
 
 class NamesEdit(QWidget):

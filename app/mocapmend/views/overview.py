@@ -1,5 +1,7 @@
 """The overview: where in the whole recording markers are missing, and what of it is in view."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QRectF, Qt
@@ -16,17 +18,20 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from mocapmend.document import Document
-from mocapmend.state import SampleState
+from mocapmend.state import OPEN, SampleState
 from mocapmend.theme import Theme
 from mocapmend.views.lane import thin
 from mocapmend.views.run_index import missing_share
 from mocapmend.views.time_axis import ZOOM_PER_STEP
 from mocapmend.viewstate import LEAST_VISIBLE, ViewState
+from mocapmend_algorithms.problems import BadRun
 
 GRIP = 6
 """Pixels around an end of the window in which it can be taken."""
 LEAST_WINDOW = 4
 """Pixels of a window that shows less than that of the recording."""
+MARK = 3
+"""Height of what tells where samples are held for bad."""
 LEAST_HEAT = 2
 """Pixels of a column with a single missing sample."""
 
@@ -43,6 +48,7 @@ class Overview(QWidget):
         self._theme = theme
         self.title = self.tr("Overview")
         self._gutter = 0
+        self._suspects: Sequence[BadRun] = ()
         self._heat: NDArray[np.float64] | None = None
         self._strip_picture: QPixmap | None = None
         self._picture: QPixmap | None = None
@@ -67,12 +73,18 @@ class Overview(QWidget):
         self._gutter = gutter
         self._forget()
 
+    def set_suspects(self, runs: Sequence[BadRun]) -> None:
+        """Mark where measured samples are held for bad."""
+        self._suspects = runs
+        self._forget()
+
     def heat(self) -> NDArray[np.float64]:
         """Return the share of samples that is missing in each column, shape (width,)."""
         width = self._width()
         if self._heat is None or len(self._heat) != width:
+            # What is set aside counts as missing.
             missing = [
-                self._document.runs(marker, SampleState.MISSING)
+                np.concatenate([self._document.runs(marker, state) for state in OPEN])
                 for marker in range(self._document.original.markers)
             ]
             edges = np.linspace(0.0, max(1, self._view.frames), width + 1)
@@ -226,6 +238,10 @@ class Overview(QWidget):
         for column in np.flatnonzero(heat).tolist():
             height = float(tall[column])
             painter.fillRect(QRectF(self._gutter + column, self.height() - height, 1, height), ink)
+        bad = QColor(self._theme.state_colour(SampleState.BAD))
+        for run in self._suspects:
+            left, right = self.x_of(run.start), self.x_of(run.stop)
+            painter.fillRect(QRectF(left, 0, max(2.0, right - left), MARK), bad)
         painter.setPen(QColor(self._theme.dim))
         name = QRectF(6, 0, self._gutter - 8, self.height())
         painter.drawText(name, Qt.AlignmentFlag.AlignVCenter, self.title)

@@ -11,7 +11,7 @@ from mocapmend.theme import Theme
 from mocapmend.views.pane_titles import PaneTitles
 from mocapmend.views.pane_widths import PaneWidths
 
-LAYOUT_VERSION = 5
+LAYOUT_VERSION = 6
 
 
 class PanedWindow(QMainWindow):

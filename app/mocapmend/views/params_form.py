@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from mocapmend.views.engine_texts import method_text
 from mocapmend.views.names_edit import NamesEdit
 from mocapmend.views.training_box import TrainingBox
-from mocapmend_algorithms.fill.params import Words
+from mocapmend_algorithms.params import Words
 
 Getter = Callable[[], Any]
 UNBOUNDED = 1_000_000

@@ -9,6 +9,7 @@ from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.jobs import Job, Jobs
 from mocapmend.prospects import Preview, Prospects, Way
+from mocapmend.suspects import gap_to_be
 from mocapmend.views.engine_texts import error_text
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
@@ -49,6 +50,7 @@ class Previewer(QObject):
         self._timer.setInterval(DELAY_MS)
         self._timer.timeout.connect(self._compute_next)
         view.gap_changed.connect(self._refresh)
+        view.suspect_changed.connect(self._refresh)
         document.samples_changed.connect(self._refresh)
         document.names_changed.connect(self._refresh)
 
@@ -82,20 +84,26 @@ class Previewer(QObject):
             self._timer.start()
 
     def _open_gap(self) -> Gap | None:
-        gap = self._view.gap
+        run, gap = self._view.suspect, self._view.gap
+        if run is not None:
+            return gap_to_be(self._document, run)
         return gap if gap is not None and gap in self._document.gaps_of(gap.marker) else None
 
     def _known(self, gap: Gap, way: Way) -> Preview | None:
         return self._refused.get(way) or self._prospects.get(gap, way)
 
     def _missing(self, gap: Gap) -> Way | None:
-        """Return the next way to compute."""
-        wanted = (*(() if self._chosen is None else (self._chosen,)), *self._others)
+        """Return the next way to compute: of what is still to be a gap the chosen one alone."""
+        others = self._others if self._view.suspect is None else ()
+        wanted = (*(() if self._chosen is None else (self._chosen,)), *others)
         return next((way for way in wanted if self._known(gap, way) is None), None)
 
     def _show(self, gap: Gap) -> None:
         chosen = None if self._chosen is None else self._known(gap, self._chosen)
         self._view.set_preview(chosen)
+        if self._view.suspect is not None:
+            self._view.set_candidates(())
+            return
         known = ((number, self._known(gap, way)) for number, way in enumerate(self._others, 1))
         self._view.set_candidates(
             tuple((number, preview) for number, preview in known if preview is not None)

@@ -7,13 +7,19 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, replaying, unsaved
+from mocapmend.believed import Correction
+from mocapmend.commands import EditSamples
+from mocapmend.correcting import towards
 from mocapmend.document import Document
+from mocapmend.edits import Edit
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, patches
+from mocapmend.layers import Layers
 from mocapmend.plan import Plan, read_plan, write_plan
 from mocapmend.replay_edits import replayed
 from mocapmend.views.check_dialog import check_dialog
 from mocapmend_algorithms.fill.contract import FillResult
+from mocapmend_algorithms.smooth.contract import SmoothResult
 
 if TYPE_CHECKING:
     from mocapmend.views.main_window import MainWindow
@@ -67,19 +73,23 @@ class ProofActions(QObject):
             self.replay(path)
 
     def replay(self, path: Path) -> None:
-        """Make the edits of a recipe, in one undoable step."""
+        """Make the edits of a recipe: a step of corrections, if it has any, and one of fills."""
         workspace = self._window.workspace
         assert workspace is not None
         title = self.tr("Replaying {0}").format(path.name)
-        source, revision = workspace.document.source, workspace.document.revision
+        source, begun = workspace.document.source, workspace.document.revision
 
         def compute(prepared: tuple[replaying.Plan, bool]) -> None:
-            if self._window.documents.of(workspace.document) is None:
+            if not self._is_as_it_was(workspace, begun):
                 return
-            original, jobs = workspace.document.share_base(), prepared[0].jobs
-            job = self._window.jobs.compute(title, replaying.fill, original, jobs)
+            corrected = self._correct(workspace, path, prepared[0])
+            revision = workspace.document.revision
+            base, jobs = workspace.document.share_base(), prepared[0].jobs
+            job = self._window.jobs.compute(title, replaying.fill, base, jobs)
             job.finished.connect(
-                lambda results: self._accept(workspace, revision, path, prepared, results)
+                lambda results: self._accept(
+                    workspace, revision, path, prepared, results, corrected
+                )
             )
             job.failed.connect(self._window.show_error)
 
@@ -92,8 +102,13 @@ class ProofActions(QObject):
         workspace = self._window.workspace
         if workspace is None:
             return
-        limits = workspace.repair.limits
-        made = Plan(workspace.repair.method(), limits.max_gap_ms(), limits.max_error_mm())
+        repair, limits = workspace.repair, workspace.repair.limits
+        made = Plan(
+            repair.method(),
+            limits.max_gap_ms(),
+            limits.max_error_mm(),
+            repair.fix_first.kinds(),
+        )
         path = self._window.files.ask_where(
             self.tr("Save plan"), "plan.json", {self.tr("Plans (*.json)"): ".json"}
         )
@@ -107,7 +122,7 @@ class ProofActions(QObject):
             self._window.say(self.tr("Plan written to {0}").format(path))
 
     def ask_and_load_plan(self) -> None:
-        """Let the user choose a plan, and show its method and limits."""
+        """Let the user choose a plan, and show its method, its limits, and what it fixes first."""
         workspace = self._window.workspace
         if workspace is None:
             return
@@ -125,6 +140,7 @@ class ProofActions(QObject):
         else:
             workspace.repair.choose_way(read.way)
             workspace.repair.limits.set_limits(read.max_gap_ms, read.max_error_mm)
+            workspace.repair.fix_first.set_kinds(read.fix)
 
     def ask_and_check(self) -> None:
         """Let the user choose a repaired copy, and compare it with the open recording's file."""
@@ -175,22 +191,82 @@ class ProofActions(QObject):
         path: Path,
         prepared: tuple[replaying.Plan, bool],
         results: list[FillResult],
+        corrected: int,
     ) -> None:
         document, (planned, same_file) = workspace.document, prepared
-        if self._window.documents.of(document) is None:
-            return
-        if revision != document.revision:
-            self._window.say(self.tr("The recording was edited meanwhile: replay again."))
+        if not self._is_as_it_was(workspace, revision):
             return
         edits = replayed(document, planned, results)
-        if not edits:
+        if not (edits or corrected or planned.smoothing):
             self._window.say(self.tr("The recipe has nothing to do here."))
             return
-        workspace.push(edits, f"replay {path.name}")
+        if edits:
+            workspace.push(edits, f"replay {path.name}")
+        workspace.filling.refill()
         text = self.tr("{0} edits made again.")
         if not same_file:
             text = self.tr("{0} edits made again, by a recipe that was made for another file.")
-        self._window.say(text.format(len(edits)))
+        told = text.format(len(edits) + corrected)
+        if planned.smoothing:
+            self._smooth(workspace, path, planned.smoothing, told)
+        else:
+            self._window.say(told)
+
+    def _is_as_it_was(self, workspace: "Workspace", revision: int) -> bool:
+        """Say whether a recording is open still, and has not been edited meanwhile."""
+        if self._window.documents.of(workspace.document) is None:
+            return False
+        if revision != workspace.document.revision:
+            self._window.say(self.tr("The recording was edited meanwhile: replay again."))
+            return False
+        return True
+
+    @staticmethod
+    def _correct(workspace: "Workspace", path: Path, planned: replaying.Plan) -> int:
+        """Make the corrections of a recipe; return how many there were.
+
+        A recipe without any leaves those that the user has made.
+        """
+        document = workspace.document
+        edits, correction = towards(document, planned.layers)
+        if Layers.of(document.source).is_same(planned.layers) or not correction.runs:
+            edits, correction = [], Correction()
+        labels = {
+            marker: label
+            for marker, label in planned.labels(document.source).items()
+            if document.labels[marker] != label
+        }
+        if not correction.runs and not labels:
+            return 0
+        text = f"correct as in {path.name}"
+        workspace.do(EditSamples(document, edits, text, correction, labels))
+        return len(correction.runs) + len(labels)
+
+    def _smooth(
+        self,
+        workspace: "Workspace",
+        path: Path,
+        jobs: tuple[replaying.SmoothJob, ...],
+        told: str,
+    ) -> None:
+        """Smooth what a recipe smooths, now that its other edits are made."""
+        document, revision = workspace.document, workspace.document.revision
+
+        def accept(results: list[SmoothResult]) -> None:
+            if not self._is_as_it_was(workspace, revision):
+                return
+            edits = [
+                edit for result in results for edit in Edit.smoothings(result, document.beneath)
+            ]
+            workspace.push(edits, f"replay the smoothing of {path.name}")
+            text = self.tr("{0} Stretches smoothed again: {1}.")
+            self._window.say(text.format(told, len(edits)))
+
+        title = self.tr("Replaying {0}").format(path.name)
+        shared = document.share_beneath()
+        job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
+        job.finished.connect(accept)
+        job.failed.connect(self._window.show_error)
 
     def _show_check(self, original: Path, repaired: Path, found: CheckReport) -> None:
         check_dialog(self._window, original, repaired, found).show()

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mocapmend.document import Document
 from mocapmend.files import C3DFile
 from mocapmend.views.columns import Envelope, Floats
-from mocapmend_algorithms.fill.contract import Patch
+from mocapmend_algorithms import Gap
 
 Kind = Literal["position", "motion", "residual", "bone"]
 Key = tuple[Kind, tuple[int, ...]]
@@ -162,12 +162,24 @@ class Series:
         frames, values = self._drawn[key]
         return frames, values[quantity.row]
 
-    def patched(self, quantity: Quantity, curve: Curve, patch: Patch) -> tuple[Floats, Floats]:
-        """Return frames and values of a curve as a repair would make it, with their neighbours.
+    def patched(
+        self, quantity: Quantity, curve: Curve, gap: Gap, patch: Floats
+    ) -> tuple[Floats, Floats]:
+        """Return frames and values of a curve with other samples in a run, with their neighbours.
 
-        Empty for residuals, which a repair does not have.
+        Empty for residuals, which samples that were not measured do not have.
+
+        Parameters
+        ----------
+        quantity : Quantity
+            What is plotted.
+        curve : Curve
+            Of which marker.
+        gap : Gap
+            The run.
+        patch : ndarray, shape (length, 3)
+            The samples.
         """
-        gap = patch.gap
         if quantity is Quantity.RESIDUAL or gap.marker not in curve.markers:
             return np.empty(0), np.empty(0)
         # Differences reach one frame further than the neighbours that the line is drawn to.
@@ -175,7 +187,7 @@ class Series:
         ends: list[Floats] = [self._document.points[start:stop, marker] for marker in curve.markers]
         which = curve.markers.index(gap.marker)
         ends[which] = ends[which].copy()
-        ends[which][gap.start - start : gap.stop - start] = patch.values
+        ends[which][gap.start - start : gap.stop - start] = patch
         frames = np.arange(start, stop)
         near = (frames >= gap.start - 1) & (frames <= gap.stop)
         values = self._compute(quantity.kind, ends)[quantity.row, near]

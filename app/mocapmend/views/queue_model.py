@@ -9,13 +9,22 @@ import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt, Signal
 
 from mocapmend.document import Document
-from mocapmend.problem_list import Places, ProblemList
+from mocapmend.problem_list import ALL_KINDS, GAP, Places, ProblemList
 from mocapmend.prospects import Prospects
 from mocapmend.ranking import Problem, Status
+from mocapmend.suspects import Suspects
 from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
+from mocapmend.views.suspect_texts import (
+    kind_text,
+    kinds_text,
+    markers_text,
+    reason_text,
+    score_text,
+)
 from mocapmend.views.tables import LEFT, RIGHT, frames_text
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
 
 CENTRE = Qt.AlignmentFlag.AlignCenter
 
@@ -25,17 +34,18 @@ class Column(IntEnum):
 
     STATUS = 0
     MARKER = 1
-    FRAMES = 2
-    ERROR = 3
-    HARM = 4
-    MS = 5
-    METHOD = 6
-    CONTEXT = 7
-    PLACE = 8
+    KIND = 2
+    FRAMES = 3
+    ERROR = 4
+    HARM = 5
+    MS = 6
+    METHOD = 7
+    CONTEXT = 8
+    PLACE = 9
 
 
 _ORDER_OF = {
-    Column.STATUS: "status", Column.MARKER: "marker", Column.FRAMES: "length",
+    Column.STATUS: "status", Column.MARKER: "marker", Column.KIND: "kind", Column.FRAMES: "length",
     Column.ERROR: "error", Column.HARM: "harm", Column.MS: "length", Column.PLACE: "time",
 }  # fmt: skip
 GLYPHS = {
@@ -44,8 +54,11 @@ GLYPHS = {
     Status.LEFT: "◐",
     Status.REPAIRED: "●",
     Status.NEVER: "⊘",
+    Status.FOUND: "✕",
+    Status.FIXED: "✔",
+    Status.DISMISSED: "–",
 }
-TO_DO = frozenset({Status.OPEN, Status.BEYOND})
+TO_DO = frozenset({Status.OPEN, Status.BEYOND, Status.FOUND})
 
 
 @dataclass(frozen=True)
@@ -60,12 +73,15 @@ class Filter:
         What may have become of them.
     shortest_ms, longest_ms : float
         Bounds of the length: longer than the first, up to the second.
+    kinds : tuple of str
+        Gaps, or kinds of bad samples.
     """
 
     text: str = ""
     status: frozenset[Status] = TO_DO
     shortest_ms: float = 0.0
     longest_ms: float = math.inf
+    kinds: tuple[str, ...] = ALL_KINDS
 
 
 class QueueModel(QAbstractTableModel):
@@ -74,13 +90,17 @@ class QueueModel(QAbstractTableModel):
     changed = Signal()
 
     def __init__(
-        self, document: Document, prospects: Prospects, parent: QObject | None = None
+        self,
+        document: Document,
+        prospects: Prospects,
+        suspects: Suspects,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._document = document
         self._filter = Filter()
         self._order = (Column.HARM, True)
-        self._list = ProblemList(document, prospects)
+        self._list = ProblemList(document, prospects, suspects)
         self._stale = False
         self._rows = np.empty(0, np.intp)
         """The place in the list of what each row shows."""
@@ -89,6 +109,7 @@ class QueueModel(QAbstractTableModel):
         self._titles = {
             Column.STATUS: "",
             Column.MARKER: self.tr("Marker"),
+            Column.KIND: self.tr("Kind"),
             Column.FRAMES: self.tr("Frames"),
             Column.ERROR: self.tr("Error"),
             Column.HARM: self.tr("Harm"),
@@ -98,26 +119,35 @@ class QueueModel(QAbstractTableModel):
             Column.PLACE: self.tr("Place"),
         }
         self._tips = {
-            Column.STATUS: self.tr("What has become of the gap"),
-            Column.FRAMES: self.tr("Missing frames"),
-            Column.ERROR: self.tr("Expected error of the best repair that was tried, in mm"),
-            Column.HARM: self.tr("Expected error times missing frames: what comes first is worst"),
+            Column.STATUS: self.tr("What has become of the problem"),
+            Column.KIND: self.tr("A gap, or what is wrong with the samples"),
+            Column.FRAMES: self.tr("Frames that are missing or bad"),
+            Column.ERROR: self.tr(
+                "Expected error of the best repair that was tried, or how far bad samples are off, "
+                "in mm"
+            ),
+            Column.HARM: self.tr("Error times frames: what comes first is worst"),
             Column.METHOD: self.tr("The method with the least expected error"),
             Column.CONTEXT: self.tr(
                 "Where the gap lies, and how many other markers are missing in its middle"
             ),
             Column.PLACE: self.tr("First and last missing frame"),
         }
-        document.samples_changed.connect(self._take_anew)
-        document.left_open_changed.connect(self._take_anew)
+        document.samples_changed.connect(self.take_anew)
+        document.left_open_changed.connect(self.take_anew)
         self.refresh()
 
     # --- what is listed ----------------------------------------------------------------------
 
     @property
     def gaps(self) -> list[Gap]:
-        """The gaps that are listed, in their order."""
+        """Where the problems that are listed are, in their order."""
         return [self._list.gaps[place] for place in self._rows.tolist()]
+
+    @property
+    def total(self) -> int:
+        """How many problems there are, listed or not."""
+        return len(self._list.gaps)
 
     @property
     def by_time(self) -> bool:
@@ -132,9 +162,28 @@ class QueueModel(QAbstractTableModel):
         row = -1 if place is None or place >= len(self._row_at) else int(self._row_at[place])
         return row if row >= 0 else None
 
+    def row_of_bad(self, run: BadRun) -> int | None:
+        """Return the row of a run of bad samples."""
+        place = self._list.place_of_bad(run)
+        row = -1 if place is None or place >= len(self._row_at) else int(self._row_at[place])
+        return row if row >= 0 else None
+
+    @property
+    def has_bad(self) -> bool:
+        """Whether any bad samples are listed."""
+        return bool(self._list.kind[self._rows].any())
+
+    def bad(self, row: int) -> BadRun | None:
+        """Return the bad samples of a row; None where a gap is listed."""
+        return self._list.bad(int(self._rows[row]))
+
     def problem(self, row: int) -> Problem:
         """Return what is listed in a row."""
         return self._list.problem(int(self._rows[row]))
+
+    def take_anew(self) -> None:
+        """List other bad samples the next time."""
+        self._stale = True
 
     def set_filter(self, chosen: Filter) -> None:
         """List other problems."""
@@ -166,9 +215,6 @@ class QueueModel(QAbstractTableModel):
             self.endResetModel()
         self.changed.emit()
 
-    def _take_anew(self) -> None:
-        self._stale = True
-
     def _tell_values(self) -> None:
         """Say that rows are where they were, but may show something else."""
         if len(self._rows):
@@ -181,13 +227,17 @@ class QueueModel(QAbstractTableModel):
         markers = [marker for marker, name in enumerate(names) if part in name.casefold()]
         per_ms = self._document.original.rate / 1000.0
         return self._list.passing(
-            markers, chosen.status, chosen.shortest_ms * per_ms, chosen.longest_ms * per_ms
+            markers,
+            chosen.status,
+            chosen.shortest_ms * per_ms,
+            chosen.longest_ms * per_ms,
+            chosen.kinds,
         )
 
     def _in_order(self, places: Places) -> Places:
         listed, (column, falling) = self._list, self._order
         values = {
-            Column.STATUS: listed.status, Column.MARKER: listed.marker,
+            Column.STATUS: listed.status, Column.MARKER: listed.marker, Column.KIND: listed.kind,
             Column.FRAMES: listed.length, Column.ERROR: listed.error,
             Column.HARM: listed.error * listed.length, Column.MS: listed.length,
             Column.PLACE: listed.start,
@@ -238,6 +288,9 @@ class QueueModel(QAbstractTableModel):
             Status.LEFT: self.tr("left open"),
             Status.REPAIRED: self.tr("repaired"),
             Status.NEVER: self.tr("never to be filled"),
+            Status.FOUND: self.tr("found"),
+            Status.FIXED: self.tr("fixed"),
+            Status.DISMISSED: self.tr("no problem"),
         }[status]
 
     def _text(self, problem: Problem, column: Column) -> str:
@@ -246,7 +299,9 @@ class QueueModel(QAbstractTableModel):
             case Column.STATUS:
                 return GLYPHS[problem.status]
             case Column.MARKER:
-                return self._document.names[gap.marker]
+                return self._markers_text(problem)
+            case Column.KIND:
+                return kind_text(GAP if problem.bad is None else problem.bad.kind)
             case Column.FRAMES:
                 return str(gap.length)
             case Column.ERROR:
@@ -261,6 +316,10 @@ class QueueModel(QAbstractTableModel):
                 return self._context(gap)
             case Column.PLACE:
                 return frames_text(gap, self._document.original.first_frame)
+
+    def _markers_text(self, problem: Problem) -> str:
+        names, bad = self._document.names, problem.bad
+        return names[problem.gap.marker] if bad is None else markers_text(bad, names)
 
     def _error_text(self, problem: Problem) -> str:
         if not problem.tried:
@@ -281,19 +340,23 @@ class QueueModel(QAbstractTableModel):
         return text.format(max(0, others))
 
     def _tip(self, problem: Problem) -> str:
-        gap, best = problem.gap, problem.best
+        gap, best, bad = problem.gap, problem.best, problem.bad
         first = self._document.original.first_frame + gap.start
         last = first + gap.length - 1
+        labels = self._document.labels
         lines = [
             self.tr("{0}, frames {1} to {2}: {3}").format(
-                self._document.original.labels[gap.marker],
+                labels[gap.marker] if bad is None else markers_text(bad, labels),
                 first,
                 last,
                 self.status_text(problem.status),
             )
         ]
+        if bad is not None:
+            about = (kinds_text(bad.kind), score_text(bad))
+            lines.append(", ".join(filter(None, about)))
         if problem.reason:
-            lines.append(shown(problem.reason))
+            lines.append(shown(problem.reason) if bad is None else reason_text(bad))
         if best is not None:
             lines.append(method_name(best.method))
         elif problem.tried and problem.status < Status.REPAIRED:

@@ -4,16 +4,18 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
+from mocapmend.problem_list import ALL_KINDS
 from mocapmend.ranking import METHODS
 from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
 from mocapmend.views.queue_model import Column, QueueModel
+from mocapmend.views.suspect_texts import kind_text
 from mocapmend.views.tables import dress
 
-FIRST = (Column.STATUS, Column.FRAMES, Column.ERROR, Column.HARM)
+FIRST = (Column.STATUS, Column.KIND, Column.FRAMES, Column.ERROR, Column.HARM)
 """Are seen beside the marker; the others are further to the right."""
-PADDING = 14
-LEAST_NAME = "MMMMMMM"
+PADDING = 10
+LEAST_NAME = "MMMMMM"
 
 
 class QueueTable(QTableView):
@@ -41,9 +43,16 @@ class QueueTable(QTableView):
         header.setSortIndicator(Column.HARM, Qt.SortOrder.DescendingOrder)
         self.setSortingEnabled(True)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setAccessibleName(self.tr("Queue of gaps"))
+        self.setAccessibleName(self.tr("Queue of problems"))
         self.setItemDelegateForColumn(Column.MARKER, LabelDelegate(self))
+        self.hideColumn(Column.KIND)
         self._fit()
+
+    def show_kinds(self, *, shown: bool) -> None:
+        """Show what kind of problem each is, or not: where there are gaps alone it says nothing."""
+        if shown == self.isColumnHidden(Column.KIND):
+            self.horizontalHeader().setSectionHidden(Column.KIND, not shown)
+            self._fit_names()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -59,6 +68,7 @@ class QueueTable(QTableView):
         advance = self.fontMetrics().horizontalAdvance
         widest = {
             Column.STATUS: "⊘",
+            Column.KIND: max(map(kind_text, ALL_KINDS), key=advance),
             Column.FRAMES: "0000",
             Column.ERROR: "0000.0",
             Column.HARM: "00000",

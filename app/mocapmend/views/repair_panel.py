@@ -22,13 +22,16 @@ from mocapmend.files.records import NO_REASON
 from mocapmend.names import new_names, with_donors
 from mocapmend.prospects import Preview, Way
 from mocapmend.settings import COMPARE, METHOD, Settings
+from mocapmend.suspects import Suspects
 from mocapmend.trimming import hidden
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.candidate_list import CandidateList
 from mocapmend.views.engine_texts import method_name, method_text, shown
+from mocapmend.views.fix_first import FixFirst
 from mocapmend.views.limits_box import LimitsBox
 from mocapmend.views.method_box import MethodBox
 from mocapmend.views.params_form import ParamsForm
+from mocapmend.views.suspect_box import SuspectBox
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Patch
@@ -42,7 +45,7 @@ MOST_DONORS = 6
 
 
 class RepairPanel(QScrollArea):
-    """Shows what can be done about the current gap; doing it is the window's job.
+    """Shows what can be done about the current gap or problem; doing it is the window's job.
 
     Signals
     -------
@@ -59,6 +62,7 @@ class RepairPanel(QScrollArea):
         self,
         document: Document,
         view: ViewState,
+        suspects: Suspects,
         settings: Settings,
         actions: dict[str, QAction],
         parent: QWidget | None = None,
@@ -78,7 +82,10 @@ class RepairPanel(QScrollArea):
         layout = QVBoxLayout(body)
         layout.setContentsMargins(8, 2, 8, 2)
         layout.setSpacing(4)
-        layout.addWidget(self._make_gap_box(actions))
+        self._gap_box = self._make_gap_box(actions)
+        self._suspect_box = SuspectBox(document, view, suspects, actions)
+        layout.addWidget(self._gap_box)
+        layout.addWidget(self._suspect_box)
         layout.addWidget(self._make_all_box(actions))
         layout.addStretch(1)
         self.setWidget(body)
@@ -88,6 +95,7 @@ class RepairPanel(QScrollArea):
         view.selection_changed.connect(self._offer_donors)
         view.gap_changed.connect(self._offer_donors)
         view.gap_changed.connect(self._show_gap)
+        view.suspect_changed.connect(self._show_either)
         view.preview_changed.connect(self._show_gap)
         view.picked.connect(self._pick)
         document.samples_changed.connect(self._show_gap)
@@ -155,6 +163,10 @@ class RepairPanel(QScrollArea):
     def takes_donors(self) -> bool:
         """Whether the chosen method lets the user name donors."""
         return hasattr(self._form.params(), "donors")
+
+    def show_problem(self) -> None:
+        """Show what is known of the current bad samples by now."""
+        self._suspect_box.refresh()
 
     def show_filling(self, *, running: bool) -> None:
         """Tell whether filling all is going on."""
@@ -227,6 +239,7 @@ class RepairPanel(QScrollArea):
         layout = _tight(box)
         self.limits = LimitsBox(self._document.original, self._settings)
         self.limits.changed.connect(self._show_gap)
+        self.fix_first = FixFirst(self._settings)
         self._outcome = QLabel()
         self._outcome.setWordWrap(True)
         self.left_open = QPushButton(self.tr("Show what stayed open…"))
@@ -235,6 +248,7 @@ class RepairPanel(QScrollArea):
         doing.addWidget(ActionButton(actions["plan"], self.tr("Plan…")))
         doing.addWidget(self._fill_all)
         layout.addWidget(self.limits)
+        layout.addWidget(self.fix_first)
         layout.addLayout(doing)
         layout.addWidget(self._outcome)
         layout.addWidget(self.left_open)
@@ -294,6 +308,10 @@ class RepairPanel(QScrollArea):
         gap, labels = self._view.gap, self._document.original.labels
         own = None if gap is None else gap.marker
         self._form.set_selection([labels[m] for m in self._view.selection if m != own])
+
+    def _show_either(self) -> None:
+        """Show the box of the gap, or that of the bad samples."""
+        self._gap_box.setVisible(self._view.suspect is None)
 
     def _show_gap(self) -> None:
         gap, preview = self._view.gap, self._view.preview

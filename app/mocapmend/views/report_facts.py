@@ -4,7 +4,7 @@ import numpy as np
 
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document
-from mocapmend.report import About, EditRow, method_text
+from mocapmend.report import About, EditRow, PutRight, SmoothRow, method_text, put_right
 from mocapmend.state import SampleState
 from mocapmend_algorithms.fill.contract import Unfilled
 
@@ -44,7 +44,18 @@ class ReportFacts:
             earlier_program="" if source.provenance is None else source.provenance.program,
             proof=self.proof,
             edits=self.edits(),
+            put_right=self.put_right(),
         )
+
+    def put_right(self) -> PutRight:
+        """Return what was set aside, exchanged and smoothed."""
+        document = self._document
+        mm = document.original.mm
+        smoothed = (
+            SmoothRow.of(run, made.method, made.params, made.chosen, made.rms * mm)
+            for run, made in document.smoothed.items()
+        )
+        return put_right(document.doubts, document.layers.moves, smoothed)
 
     def edits(self) -> tuple[EditRow, ...]:
         """Return the steps that hold, those that were undone left out."""
@@ -61,7 +72,12 @@ class ReportFacts:
         assert isinstance(command, EditSamples)
         corrected = () if command.correction is None else command.correction.runs
         runs = {*(edit.gap for edit in command.edits), *corrected}
-        filled = (np.count_nonzero(edit.states == SampleState.FILLED) for edit in command.edits)
+        # What is smoothed keeps its fills.
+        filled = (
+            np.count_nonzero(edit.states == SampleState.FILLED)
+            for edit in command.edits
+            if edit.repair and edit.smoothed is None
+        )
         return EditRow(
             text=command.text(),
             markers=len({run.marker for run in runs}),

@@ -20,7 +20,7 @@ from mocapmend.views.marker_table import NO_PARENT, SORT_ROLE, Index
 from mocapmend.views.tables import INDENT, LEFT, RIGHT, Indented, dress
 from mocapmend.viewstate import ViewState
 
-FILLED_BY = 10
+SMOOTHED, FILLED_BY, ERROR = 10, 11, 12
 TEXTS = {0, FILLED_BY}
 WIDEST_MARKER = 200
 """Pixels."""
@@ -45,6 +45,7 @@ class MarkerReportModel(QAbstractTableModel):
             (self.tr("now"), self.tr("Longest gap now, in frames")),
             (self.tr("Filled"), self.tr("Samples filled")),
             (self.tr("Unfilled"), self.tr("Samples that are missing now")),
+            (self.tr("Smoothed (mm)"), self.tr("How far smoothing moved it: RMS, in mm")),
             (self.tr("Filled by (%)"), self.tr("Frames that each method filled, in %")),
             (self.tr("Error (mm)"), self.tr("Largest expected error of its repairs, in mm")),
         )
@@ -103,18 +104,26 @@ class MarkerReportModel(QAbstractTableModel):
             row.longest_after,
             row.filled,
             row.unfilled,
-            filled_by(row, method_name),
             # What is unknown is sorted below all that is known: NaN has no order.
+            smoothed if (smoothed := self._smoothed(marker)) >= 0 else -1.0,
+            filled_by(row, method_name),
             error if error >= 0 else -1.0,
         )
 
     def _text(self, marker: int, row: MarkerRow, column: int) -> str:
         if column in (1, 2):
             return percent((row.missing_before, row.missing_after)[column - 1])
-        if column == 11:
+        if column == SMOOTHED:
+            return number(self._smoothed(marker), 2)
+        if column == ERROR:
             return number(row.worst_error_mm)
         value = self._values(marker, row)[column]
         return f"{value:.0f}" if isinstance(value, float) else str(value)
+
+    def _smoothed(self, marker: int) -> float:
+        """Return how far smoothing moved a marker's samples in mm; NaN where it did not."""
+        moved = [how.rms for run, how in self._document.smoothed.items() if run.marker == marker]
+        return max(moved, default=float("nan")) * self._document.original.mm
 
 
 class MarkersPage(QWidget):

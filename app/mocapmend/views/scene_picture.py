@@ -1,5 +1,6 @@
 """The picture of the 3D view: painted by numpy and QPainter, so it needs no OpenGL."""
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -10,6 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from mocapmend.document import Document
+from mocapmend.suspects import markers_of
 from mocapmend.theme import Theme
 from mocapmend.views.body_path import BodyPath
 from mocapmend.views.camera import Camera, upright
@@ -22,6 +24,7 @@ from mocapmend.views.painters.body import (
 )
 from mocapmend.views.painters.candidates import paint_candidates, paint_donors
 from mocapmend.views.painters.edits import edits_text, paint_edits
+from mocapmend.views.painters.exchange import paint_exchange
 from mocapmend.views.painters.ground import (
     paint_axes,
     paint_force_plates,
@@ -33,6 +36,7 @@ from mocapmend.views.painters.shot import Shot
 from mocapmend.views.painters.texts import paint_captions, paint_labels
 from mocapmend.views.painters.trails import paint_trails
 from mocapmend.viewstate import ViewState
+from mocapmend_algorithms.problems import BadRun
 
 Array = NDArray[np.float64]
 Layer = Literal[
@@ -64,6 +68,7 @@ class ScenePicture(QWidget):
         self._document = document
         self._view = view
         self._theme = theme
+        self._suspects: Sequence[BadRun] = ()
         self.layers: set[Layer] = {"sticks", "trails", "ground", "plates"}
         self.trail_seconds = 0.5
         self.follow = True
@@ -87,6 +92,7 @@ class ScenePicture(QWidget):
             view.frame_changed,
             view.selection_changed,
             view.preview_changed,
+            view.suspect_changed,
             view.candidates_changed,
             view.picking_changed,
             document.samples_changed,
@@ -98,6 +104,11 @@ class ScenePicture(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Paint with other colours from now on."""
         self._theme = theme
+        self.update()
+
+    def set_suspects(self, found: Sequence[BadRun]) -> None:
+        """Mark measured samples that are held for bad."""
+        self._suspects = found
         self.update()
 
     def look(self, name: str) -> None:
@@ -192,11 +203,17 @@ class ScenePicture(QWidget):
             paint_trails(shot, self.trail_seconds, all_markers="all_trails" in layers)
         if "sticks" in layers:
             paint_sticks(shot, self._bones)
-        paint_markers(shot)
+        paint_markers(shot, self._suspects_now())
         if "before_after" in layers:
             paint_edits(shot)
         if "measure" in layers:
             paint_measure(shot)
+
+    def _suspects_now(self) -> set[int]:
+        """Return the markers that are held for bad in this frame."""
+        frame = self._view.frame
+        now = (run for run in self._suspects if run.start <= frame < run.stop)
+        return {marker for run in now for marker in markers_of(run)}
 
     def _ghost_pixels(self, shot: Shot) -> tuple[int, Array] | None:
         """Return the marker that a preview would put into this frame, and where."""
@@ -217,6 +234,8 @@ class ScenePicture(QWidget):
             pixels = shot.project(patch.values)
             shot.pen(self._theme.preview, 1.5)
             shot.painter.drawPath(arrayToQPath(pixels[:, 0], pixels[:, 1], connect="finite"))
+        if self._view.suspect in self._suspects:
+            paint_exchange(shot, self._view.suspect, self._bones)
         paint_candidates(shot, self._view.others)
         paint_donors(shot, preview)
         if ghost is None:

@@ -1,5 +1,7 @@
 """The timeline: one lane per marker, what is missing or repaired, and the playhead."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import (
@@ -15,6 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractScrollArea, QToolTip, QWidget
 
 from mocapmend.document import Document
+from mocapmend.suspects import by_marker, markers_of
 from mocapmend.theme import Theme
 from mocapmend.views.event_lane import EventLane, whole_frame
 from mocapmend.views.lane_layout import LaneLayout
@@ -22,9 +25,10 @@ from mocapmend.views.lane_picture import LanePicture
 from mocapmend.views.overview import Overview
 from mocapmend.views.time_axis import TimeAxis
 from mocapmend.views.timeline_marks import TimelineMarks
-from mocapmend.views.timeline_texts import description, event_tip, lane_tip
+from mocapmend.views.timeline_texts import description, event_tip, lane_tip, suspect_tip
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
 
 MOST_LANES = 24
 """That the timeline would like to show."""
@@ -46,6 +50,7 @@ class Timeline(QAbstractScrollArea):
         self._theme = theme
         self._picture: QPixmap | None = None
         self._shown = view.frame
+        self._suspects: Mapping[int, Sequence[BadRun]] = {}
         self.axis = TimeAxis(view)
         original = document.original
         self._events = EventLane(document.source.events, original.frames, self.axis)
@@ -67,6 +72,7 @@ class Timeline(QAbstractScrollArea):
             view.range_changed,
             view.selection_changed,
             view.gap_changed,
+            view.suspect_changed,
             view.span_changed,
         ):
             signal.connect(self._repaint)
@@ -88,6 +94,13 @@ class Timeline(QAbstractScrollArea):
         self._theme = theme
         self._lanes.set_theme(theme)
         self.overview.set_theme(theme)
+        self._repaint()
+
+    def set_suspects(self, found: Sequence[BadRun]) -> None:
+        """Mark measured samples that are held for bad."""
+        self._suspects = by_marker(found)
+        self._lanes.set_suspects(self._suspects)
+        self.overview.set_suspects(found)
         self._repaint()
 
     def set_most_missing_first(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
@@ -122,6 +135,19 @@ class Timeline(QAbstractScrollArea):
         reach = 2.0 * self.axis.frames_per_pixel
         return self._document.gap_near(marker, self.axis.frame_at(position.x()), reach)
 
+    def suspect_at(self, position: QPointF) -> BadRun | None:
+        """Return the bad run under a place of the viewport; two pixels of tolerance."""
+        marker = self.marker_at(position.y())
+        if marker is None or position.x() < self.axis.left:
+            return None
+        frame, reach = self.axis.frame_at(position.x()), 2.0 * self.axis.frames_per_pixel
+        near = (
+            run
+            for run in self._suspects.get(marker, ())
+            if run.start - reach <= frame < run.stop + reach
+        )
+        return min(near, key=lambda run: abs((run.start + run.stop) / 2.0 - frame), default=None)
+
     def _event_at(self, position: QPointF) -> int | None:
         """Return the frame of the event under a place of the viewport."""
         if not self._layout.ruler <= position.y() < self._layout.lanes_area:
@@ -149,8 +175,10 @@ class Timeline(QAbstractScrollArea):
         self.axis.drag(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        gap = self.gap_at(event.position())
-        if gap is not None:
+        run, gap = self.suspect_at(event.position()), self.gap_at(event.position())
+        if run is not None:
+            self._view.go_to_suspect(run)
+        elif gap is not None:
             self._view.go_to(gap)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -187,8 +215,10 @@ class Timeline(QAbstractScrollArea):
         add = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
         if add or self._view.picking or marker != self._view.marker:
             self._view.click(marker, add=add)
-        gap = self.gap_at(event.position())
-        if gap is not None and marker in self._view.selection:
+        run, gap = self.suspect_at(event.position()), self.gap_at(event.position())
+        if run is not None and run.marker in self._view.selection:
+            self._view.set_suspect(run)
+        elif gap is not None and marker in self._view.selection:
             self._view.set_gap(gap)
 
     def _show_tip(self, place: QPoint, on_screen: QPoint) -> None:
@@ -203,7 +233,11 @@ class Timeline(QAbstractScrollArea):
         if marker is None:
             return ""
         on_lane = place.x() >= self.axis.left
-        return lane_tip(self._document, marker, self.gap_at(place), on_lane=on_lane)
+        run = self.suspect_at(place)
+        if run is not None:
+            return suspect_tip(self._document, run)
+        frame = self.axis.frame_at(place.x()) if on_lane else -1.0
+        return lane_tip(self._document, marker, self.gap_at(place), on_lane=on_lane, frame=frame)
 
     def _describe(self) -> None:
         self.setAccessibleDescription(description(self._document, self._view))
@@ -292,6 +326,10 @@ class Timeline(QAbstractScrollArea):
         self._marks.names(painter, self._theme, view.selection)
         if view.gap is not None:
             self._marks.gap(painter, self._theme, view.gap)
+        if view.suspect is not None:
+            for marker in markers_of(view.suspect):
+                place = Gap(marker, view.suspect.start, view.suspect.stop)
+                self._marks.gap(painter, self._theme, place)
         painter.setClipping(False)
         self._marks.ruler(painter, self._theme, view.visible)
         if layout.events:

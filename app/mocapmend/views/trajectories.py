@@ -8,6 +8,8 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter
 from PySide6.QtWidgets import QWidget
 
 from mocapmend.document import Document
+from mocapmend.state import SampleState
+from mocapmend.suspects import by_marker, place_of
 from mocapmend.theme import Theme
 from mocapmend.views.gap_arrows import paint_plot_arrows
 from mocapmend.views.labels import elided
@@ -18,6 +20,7 @@ from mocapmend.views.quantities import Curve, Quantity
 from mocapmend.views.readout import Readout, Row
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.problems import BadRun
 
 POSITION = (Quantity.X, Quantity.Y, Quantity.Z)
 DECIMALS = {"m": 4, "cm": 2}
@@ -58,14 +61,21 @@ class Trajectories(PlotCanvas):
         self.setAccessibleName(self.tr("Trajectory plots"))
         view.selection_changed.connect(self.repaint_plots)
         view.gap_changed.connect(self.update)
+        view.suspect_changed.connect(self.repaint_plots)
         view.preview_changed.connect(self.repaint_plots)
         view.candidates_changed.connect(self.repaint_plots)
+        view.smoothing_changed.connect(self.repaint_plots)
         document.samples_changed.connect(self._forget)
         document.names_changed.connect(self.repaint_plots)
 
     def set_theme(self, theme: Theme) -> None:
         self._painter.theme = theme
         super().set_theme(theme)
+
+    def set_suspects(self, found: Sequence[BadRun]) -> None:
+        """Mark measured samples that are held for bad."""
+        self._painter.bad.suspects = by_marker(found)
+        self.repaint_plots()
 
     def set_separate(self, on: bool) -> None:  # noqa: FBT001 - a slot of toggled(bool)
         """Give every selected marker its own plots, or overlay them."""
@@ -154,6 +164,8 @@ class Trajectories(PlotCanvas):
             self._view.visible,
             self._view.preview,
             self._view.others,
+            suspect=self._view.suspect,
+            smoothing=self._view.smoothing,
             same_scale=self._same_scale,
         )
         if self._separate:
@@ -175,8 +187,9 @@ class Trajectories(PlotCanvas):
             paint_on_ground(painter, place, name, self._theme)
 
     def _paint_marks(self, painter: QPainter) -> None:
-        """Put arrows on the ends of the current gap, in the plots that show it."""
-        gap = self._view.gap
+        """Put arrows on the ends of the current gap or bad run, in the plots that show it."""
+        run = self._view.suspect
+        gap = self._view.gap if run is None else place_of(run)
         for lane, frame in zip(self._shown, self._frames, strict=True):
             if gap is not None and lane.curves and gap.marker in lane.curves[-1].markers:
                 paint_plot_arrows(painter, self._theme, frame, gap)
@@ -222,7 +235,8 @@ class Trajectories(PlotCanvas):
         """Write where a marker is at the playhead."""
         frame = self._view.frame
         if np.isnan(self._document.points[frame, curve.marker, 0]):
-            return self.tr("missing")
+            aside = self._document.state[frame, curve.marker] == SampleState.BAD
+            return self.tr("set aside") if aside else self.tr("missing")
         place = "  ".join(self._value(axis, curve, frame) for axis in POSITION)
         return f"{place} {self._document.original.unit}"
 

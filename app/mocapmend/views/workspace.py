@@ -16,11 +16,13 @@ from mocapmend.edits import Edit
 from mocapmend.files import C3DFile
 from mocapmend.jobs import Job, Jobs
 from mocapmend.journal import Recorder
-from mocapmend.navigation import place_to_begin
 from mocapmend.prospects import Prospects
-from mocapmend.settings import RANKING, TRAIL_SECONDS, Settings
+from mocapmend.settings import RANKING, SEARCHING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
+from mocapmend.views.bad_actions import BadActions
+from mocapmend.views.bad_search import BadSearch
+from mocapmend.views.beginning import Beginning
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
@@ -45,7 +47,10 @@ from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_pane import ReportPane
 from mocapmend.views.scene import Scene
+from mocapmend.views.smooth_pane import SmoothPane
+from mocapmend.views.smoothing import Smoothing
 from mocapmend.views.survey import Survey
+from mocapmend.views.taken_off import TakenOff
 from mocapmend.views.text_scale import scaled
 from mocapmend.views.time_actions import TimeActions
 from mocapmend.views.timeline import GOOD_LANE, LANE, Timeline
@@ -53,7 +58,7 @@ from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
 TAB_HEIGHT = 36
-MARKERS_WIDTH, REPAIR_WIDTH = (336, 460), (280, 400)
+MARKERS_WIDTH, REPAIR_WIDTH = (352, 470), (280, 400)
 """Of the panes at the sides, from where they can be read to where all of it can."""
 GOOD_BOTTOM = 0.22
 """Share of the window's height that the timeline takes where its lanes are still low."""
@@ -109,8 +114,10 @@ class Workspace(PanedWindow):
         document.base_changed.connect(self.prospects.clear)
         document.names_changed.connect(self.prospects.clear)
         self.survey = Survey(document, self.prospects, jobs, self)
+        self.search = BadSearch(document, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.do, self)
+        self.smoothing = Smoothing(document, self.view, jobs, self.do, self)
         self.scene = Scene(document, self.view, theme)
         self.scene.set_trail_seconds(settings.get(TRAIL_SECONDS))
         self.plots = PlotPane(document, self.view, settings, theme, actions)
@@ -119,10 +126,17 @@ class Workspace(PanedWindow):
         self.time = TimeActions(document, self.view, self.player, self.timeline, settings, self)
         self.time.message.connect(self.message)
         self.markers = MarkerTable(document, self.view, theme)
-        self.repair = RepairPanel(document, self.view, settings, actions)
+        suspects = self.search.suspects
+        self.repair = RepairPanel(document, self.view, suspects, settings, actions)
+        self.smooth = SmoothPane(document, self.view, self.smoothing, settings, theme, actions)
         self.repairs = RepairTable(document, self.view)
-        self.queue = QueuePane(document, self.view, self.prospects, self.survey, settings)
+        self.queue = QueuePane(
+            document, self.view, self.prospects, self.survey, self.search, settings
+        )
         self.gap_actions = GapActions(document, self.view, self.queue, self.push, self)
+        self.bad_actions = BadActions(
+            document, self.view, self.queue, self.search, self.filling, jobs, self.do, self
+        )
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
@@ -136,8 +150,15 @@ class Workspace(PanedWindow):
         if self.analog is not None:
             self.view.span_changed.connect(self.analog.plots.set_span)
         self.history = HistoryPane(document.undo_stack)
-        self._themed = (self.scene, self.plots, self.timeline, self.markers, self.report)
-        self._first: Gap | None = None
+        self._themed = (
+            self.scene,
+            self.plots,
+            self.timeline,
+            self.markers,
+            self.report,
+            self.smooth,
+        )
+        self._refill_due = False
         self.last_export: Path | None = None
         self._exported: engine.Exported | None = None
         self._searching: Job | None = None
@@ -152,7 +173,7 @@ class Workspace(PanedWindow):
         self.filling.started.connect(self._show_filling)
         self.filling.ended.connect(self._show_filling)
         self.filling.done.connect(self._show_done)
-        self.survey.advanced.connect(self._lead)
+        self.search.changed.connect(self._show_suspects)
         self._preview()
         document.left_open_changed.connect(self.report.refresh)
         document.undo_stack.indexChanged.connect(self._forget_outcome)
@@ -162,12 +183,15 @@ class Workspace(PanedWindow):
         document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
-        for part in (self.previewer, self.report, self.survey, self.filling):
+        working = (self.previewer, self.report, self.survey, self.search, self.filling)
+        for part in (*working, self.smoothing, self.bad_actions):
             part.failed.connect(self.failed)
-        self.gap_actions.message.connect(self.message)
-        self.filling.message.connect(self.message)
+        self.taken_off = TakenOff(document.undo_stack, self)
+        self.taken_off.message.connect(self.message)
+        for teller in (self.gap_actions, self.bad_actions, self.filling, self.smoothing):
+            teller.message.connect(self.taken_off.say)
         self._show_proof()
-        self._show_first_gap()
+        self._beginning = Beginning(document, self.view, self.queue, self.survey, self.search, self)
         # What goes on in the background must not hold up the first picture.
         self._paint_timer = QTimer(self)
         self._paint_timer.setSingleShot(True)
@@ -185,8 +209,11 @@ class Workspace(PanedWindow):
         self.recorder.get_ready()
         if self.document.found_skeleton is None:
             self._search_skeleton()
-        if self._settings.get(RANKING) and self.isVisible() and self.filling.job is None:
-            self.survey.start()
+        if self.isVisible():
+            if self._settings.get(SEARCHING):
+                self.search.start()
+            if self._settings.get(RANKING) and self.filling.job is None:
+                self.survey.start()
 
     def paint_later(self) -> None:
         """Paint when other events have been handled: what was done took long enough."""
@@ -220,7 +247,10 @@ class Workspace(PanedWindow):
         self.player.pause()
         self.previewer.stop()
         self.survey.stop()
+        self.search.stop()
+        self.bad_actions.stop()
         self.filling.stop()
+        self.smoothing.stop()
         self.report.stop()
         if self.analog is not None:
             self.analog.stop()
@@ -266,14 +296,18 @@ class Workspace(PanedWindow):
         """Stand back: another recording is looked at."""
         self.player.pause()
         self.survey.stop()
+        self.search.stop()
         self.save_layout()
         self.put_windows_away()
 
     def enter(self) -> None:
         """Come to the front again, with the panes where the user had them last."""
         self.bring_windows_back()
-        if self._settings.get(RANKING) and not self._begin_timer.isActive():
-            self.survey.start()
+        if not self._begin_timer.isActive():
+            if self._settings.get(SEARCHING):
+                self.search.start()
+            if self._settings.get(RANKING):
+                self.survey.start()
         self.restore_last_layout()
 
     # --- the 3D view -------------------------------------------------------------------------
@@ -293,9 +327,25 @@ class Workspace(PanedWindow):
 
     # --- gaps --------------------------------------------------------------------------------
 
+    def apply(self, *, go_on: bool) -> None:
+        """Make the previewed repair an edit, or fix the current problem; go on to the next."""
+        run, suspects = self.view.suspect, self.search.suspects
+        if run is not None and (run in suspects.found or run in suspects.dismissed):
+            self.bad_actions.fix()
+        elif go_on:
+            self.gap_actions.apply_and_go_on()
+        else:
+            self.gap_actions.apply()
+
     def fill_all(self) -> None:
-        """Fill every gap within the limits, in one undoable step."""
-        self.filling.fill_all(self.repair.method(), self.repair.limits.limits())
+        """Fill every gap within the limits, in one undoable step; fix bad samples before, if so."""
+        kinds, repair = self.repair.fix_first.kinds(), self.repair
+        fill = partial(self.filling.fill_all, repair.method(), repair.limits.limits())
+        if kinds and self.filling.job is None:
+            self._refill_due = True
+            self.bad_actions.fix_then(kinds, fill)
+        else:
+            fill()
 
     def show_plan(self) -> None:
         """Show what filling all gaps would do."""
@@ -322,6 +372,10 @@ class Workspace(PanedWindow):
 
     def _show_filling(self) -> None:
         self.repair.show_filling(running=self.filling.job is not None)
+        if self._refill_due and self.filling.job is None:
+            # What was filled before the bad samples were fixed.
+            self._refill_due = False
+            self.filling.refill()
 
     def _show_done(self, filled: int, left: int) -> None:
         text = self.tr("Gaps: {0} filled, {1} left open.").format(filled, left)
@@ -337,33 +391,16 @@ class Workspace(PanedWindow):
     def _preview(self) -> None:
         self.previewer.choose(self.repair.method(), self.repair.compared())
 
-    def _lead(self) -> None:
-        """Begin at the worst gap that is known, unless the user has begun already."""
-        untouched = self.view.gap == self._first and not self.document.undo_stack.count()
-        if self.survey.portions != 1 or not untouched:
-            return
-        worst = self.queue.worst()
-        if worst is not None:
-            self._show_gap(worst)
+    def _show_suspects(self) -> None:
+        found = self.search.suspects.found
+        self.timeline.set_suspects(found)
+        self.trajectories.set_suspects(found)
+        self.scene.set_suspects(found)
+        self.repair.show_problem()
 
     def _look_at_journal(self) -> None:
         if self.recorder.poll():
             self._journal_timer.stop()
-
-    def _show_first_gap(self) -> None:
-        """Begin at a gap, with the whole recording in view."""
-        original = self.document.original
-        self._first = place_to_begin(original, self.document.fillable_corners)
-        if self._first is not None:
-            self._show_gap(self._first)
-        elif original.markers:
-            self.view.select((0,))
-
-    def _show_gap(self, gap: Gap) -> None:
-        """Show a gap with the whole recording around it."""
-        self.view.select((gap.marker,))
-        self.view.set_gap(gap)
-        self.view.set_frame((gap.start + gap.stop - 1) // 2)
 
     def saved_as(self, exported: engine.Exported, *, complete: bool) -> None:
         """Take note that a file now holds the edits: all of them, or those of a while ago."""
@@ -491,7 +528,7 @@ class Workspace(PanedWindow):
         self.setCentralWidget(middle)
         markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
         queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
+        repair = self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
         timeline = self.dock(
             "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
         )
@@ -507,7 +544,9 @@ class Workspace(PanedWindow):
             bottom.append(
                 self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
             )
+        smooth = self.dock("smooth", self.tr("Smooth"), self.smooth, areas.RightDockWidgetArea)
         self.share_place([queue, markers])
+        self.share_place([repair, smooth])
         self.share_place(bottom)
 
     def showEvent(self, event: QShowEvent) -> None:

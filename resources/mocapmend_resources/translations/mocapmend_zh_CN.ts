@@ -60,6 +60,30 @@
         <translation>加选视图内的标记点</translation>
     </message>
     <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the names of the two selected markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next point without a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label from recordings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the proposed labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Next gap</source>
         <translation>下一个缺失段</translation>
     </message>
@@ -94,6 +118,38 @@
     <message>
         <source>Give a frame back at both edges</source>
         <translation>缺失段两端各还回一帧</translation>
+    </message>
+    <message>
+        <source>Look for bad samples</source>
+        <translation>查找坏采样</translation>
+    </message>
+    <message>
+        <source>Fix this problem</source>
+        <translation>修正此问题</translation>
+    </message>
+    <message>
+        <source>Fix all problems of this kind</source>
+        <translation>修正所有此类问题</translation>
+    </message>
+    <message>
+        <source>Fix all problems</source>
+        <translation>修正所有问题</translation>
+    </message>
+    <message>
+        <source>This is no problem</source>
+        <translation>这不是问题</translation>
+    </message>
+    <message>
+        <source>Set the selected samples aside</source>
+        <translation>搁置所选采样</translation>
+    </message>
+    <message>
+        <source>Believe samples that were set aside</source>
+        <translation>重新采用被搁置的采样</translation>
+    </message>
+    <message>
+        <source>Exchange the two selected markers</source>
+        <translation>互换所选的两个标记点</translation>
     </message>
     <message>
         <source>Apply the previewed repair</source>
@@ -146,6 +202,14 @@
     <message>
         <source>Fill all gaps up to the limit</source>
         <translation>填补限值内的全部缺失段</translation>
+    </message>
+    <message>
+        <source>Smooth the chosen markers</source>
+        <translation>平滑所选范围的标记点</translation>
+    </message>
+    <message>
+        <source>Take smoothing off the chosen markers</source>
+        <translation>取消所选范围标记点的平滑</translation>
     </message>
     <message>
         <source>Play / pause</source>
@@ -372,8 +436,16 @@
         <translation>转到模拟通道</translation>
     </message>
     <message>
+        <source>Go to smoothing</source>
+        <translation>转到平滑</translation>
+    </message>
+    <message>
         <source>Go to the history</source>
         <translation>转到历史</translation>
+    </message>
+    <message>
+        <source>Go to the labels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Next recording</source>
@@ -559,6 +631,100 @@
     </message>
 </context>
 <context>
+    <name>BadActions</name>
+    <message>
+        <source>This problem is fixed already; undo takes it back.</source>
+        <translation>此问题已修正；可用撤销取回。</translation>
+    </message>
+    <message>
+        <source>This piece fits no marker: exchange it by hand, or say it is no problem.</source>
+        <translation>此片段不属于任何标记点：请手动互换，或标为没有问题。</translation>
+    </message>
+    <message>
+        <source>No problem: it is listed under that status from now on.</source>
+        <translation>没有问题：从现在起列在该状态下。</translation>
+    </message>
+    <message>
+        <source>It is a problem again.</source>
+        <translation>它又是问题了。</translation>
+    </message>
+    <message>
+        <source>The bones are still being looked for: try again soon.</source>
+        <translation>仍在查找骨段：请稍后再试。</translation>
+    </message>
+    <message>
+        <source>Looking for bad samples</source>
+        <translation>查找坏采样</translation>
+    </message>
+    <message>
+        <source>The recording was corrected meanwhile: try again.</source>
+        <translation>记录在此期间被修正过：请再试一次。</translation>
+    </message>
+    <message>
+        <source>No measured sample is selected here.</source>
+        <translation>此处没有选中测得的采样。</translation>
+    </message>
+    <message>
+        <source>Samples set aside: {0}.</source>
+        <translation>已搁置的采样：{0}。</translation>
+    </message>
+    <message>
+        <source>No sample is set aside here.</source>
+        <translation>此处没有被搁置的采样。</translation>
+    </message>
+    <message>
+        <source>Samples believed again: {0}.</source>
+        <translation>重新采用的采样：{0}。</translation>
+    </message>
+    <message>
+        <source>Select the two markers to be exchanged, and no other.</source>
+        <translation>请只选择要互换的两个标记点。</translation>
+    </message>
+    <message>
+        <source>Neither of the two markers is seen here.</source>
+        <translation>此处两个标记点都不可见。</translation>
+    </message>
+    <message>
+        <source>Exchanged in {0} frames, from frame {1} on.</source>
+        <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
+    </message>
+    <message>
+        <source>Bad samples are not known yet: look for them first (Ctrl+F).</source>
+        <translation>尚不知道坏采样：请先查找 (Ctrl+F)。</translation>
+    </message>
+    <message>
+        <source>There is nothing that could be fixed.</source>
+        <translation>没有可以修正的问题。</translation>
+    </message>
+    <message>
+        <source>Problems fixed: {0}. Samples set aside are gaps now, to be filled.</source>
+        <translation>已修正的问题：{0}。被搁置的采样现在是缺失段，有待填补。</translation>
+    </message>
+    <message>
+        <source>Problems fixed: {0}.</source>
+        <translation>已修正的问题：{0}。</translation>
+    </message>
+    <message>
+        <source>There is no bad sample here: choose a problem first (N).</source>
+        <translation>此处没有坏采样：请先选择一个问题 (N)。</translation>
+    </message>
+    <message>
+        <source>Bad samples found: {0}; they are in the queue.</source>
+        <translation>找到的坏采样：{0} 处；已列入队列。</translation>
+    </message>
+    <message>
+        <source>No bad samples were found.</source>
+        <translation>没有找到坏采样。</translation>
+    </message>
+</context>
+<context>
+    <name>BadSearch</name>
+    <message>
+        <source>Looking for bad samples</source>
+        <translation>查找坏采样</translation>
+    </message>
+</context>
+<context>
     <name>BonesPage</name>
     <message>
         <source>Length ({0})</source>
@@ -680,6 +846,73 @@
     <message>
         <source>and {0} more</source>
         <translation>另有 {0} 项</translation>
+    </message>
+</context>
+<context>
+    <name>Detectors</name>
+    <message>
+        <source>Spikes</source>
+        <translation>尖峰</translation>
+    </message>
+    <message>
+        <source>Swapped labels</source>
+        <translation>标签互换</translation>
+    </message>
+    <message>
+        <source>Fragments and ghosts</source>
+        <translation>片段与鬼点</translation>
+    </message>
+    <message>
+        <source>Ragged ends</source>
+        <translation>残缺端</translation>
+    </message>
+    <message>
+        <source>Frozen samples</source>
+        <translation>冻结采样</translation>
+    </message>
+    <message>
+        <source>Broken bones</source>
+        <translation>骨长异常</translation>
+    </message>
+    <message>
+        <source>Far from the body</source>
+        <translation>远离身体</translation>
+    </message>
+    <message>
+        <source>Coinciding points</source>
+        <translation>重合点</translation>
+    </message>
+    <message>
+        <source>Samples that leave the trajectory for one or a few frames and come back. Fast motion is told apart by the frames on both sides and by the neighbouring markers.</source>
+        <translation>偏离轨迹一帧或几帧后又回来的采样。根据两侧的帧和相邻标记点与快速运动区分。</translation>
+    </message>
+    <message>
+        <source>Two markers that carry each other&apos;s label for some time, also where a gap or the end of the recording hides where it begins or ends. Labels that are swapped throughout cannot be found.</source>
+        <translation>两个标记点在一段时间内互换了标签，也包括起止被缺失段或记录端点遮住的情形。始终互换的标签无法找到。</translation>
+    </message>
+    <message>
+        <source>Points without a label, and labels that come twice, that are pieces of a marker&apos;s trajectory. Those that fit no marker are listed as ghosts.</source>
+        <translation>没有名称的点和重复的名称，其实是某标记点轨迹的片段。不属于任何标记点的列为鬼点。</translation>
+    </message>
+    <message>
+        <source>Samples just before or after a gap that bend away from the trajectory, as those of a marker that is half hidden.</source>
+        <translation>紧接缺失段前后、偏离轨迹的采样，如半遮挡的标记点。</translation>
+    </message>
+    <message>
+        <source>Samples that repeat the one before exactly while the marker goes on moving. Files in which repeats are usual, as up-sampled ones, are left alone.</source>
+        <translation>标记点仍在运动而采样与前一个完全相同。常有重复的文件（如上采样的）不予处理。</translation>
+    </message>
+    <message>
+        <source>Markers that for some frames are at another distance from their neighbours than otherwise, and go there or come back in a jump.</source>
+        <translation>在若干帧内与相邻标记点的距离异常、并且突然跳去或跳回的标记点。</translation>
+    </message>
+    <message>
+        <source>Points much further from the body than its markers are, and than they usually are.</source>
+        <translation>比身体上的标记点以及其自身平时远得多的点。</translation>
+    </message>
+    <message>
+        <source>Two points in the same place that are apart otherwise: one is a reflection, or was labelled twice.</source>
+        <translation>平时分开而处于同一位置的两个点：其一是反光，或被标注了两次。</translation>
     </message>
 </context>
 <context>
@@ -866,6 +1099,18 @@
 <context>
     <name>Filling</name>
     <message>
+        <source>Filling {0} gaps again</source>
+        <translation>重新填补 {0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>Gaps filled again: {0}.</source>
+        <translation>重新填补的缺失段：{0}。</translation>
+    </message>
+    <message>
+        <source>Cancelled: {0} fills are from before the correction.</source>
+        <translation>已取消：{0} 处填补早于修正。</translation>
+    </message>
+    <message>
         <source>Fill all gaps</source>
         <translation>填补全部缺失段</translation>
     </message>
@@ -879,10 +1124,21 @@
     </message>
 </context>
 <context>
+    <name>FixFirst</name>
+    <message>
+        <source>Fix bad samples first</source>
+        <translation>先修正坏采样</translation>
+    </message>
+    <message>
+        <source>Before all gaps are filled, set aside or exchange: {0}</source>
+        <translation>在填补所有缺失段之前，搁置或互换：{0}</translation>
+    </message>
+</context>
+<context>
     <name>GapActions</name>
     <message>
-        <source>No gap is left in the queue.</source>
-        <translation>队列中没有缺失段了。</translation>
+        <source>No problem is left in the queue.</source>
+        <translation>队列中没有问题了。</translation>
     </message>
     <message>
         <source>No gap is left to go to.</source>
@@ -915,6 +1171,25 @@
     <message>
         <source>There is no open gap here.</source>
         <translation>此处没有未填补的缺失段。</translation>
+    </message>
+</context>
+<context>
+    <name>HandLabelActions</name>
+    <message>
+        <source>Select a marker first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is called {1} now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames {0} to {1} of {2} are {3} now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points that are seen have labels.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1004,6 +1279,224 @@
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>LabelChooser</name>
+    <message>
+        <source>free here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is seen here: the two are exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which marker it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter gives the new label {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelDialog</name>
+    <message>
+        <source>Label from recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose labelled recordings of the same marker set, best of the same subject. Nothing is changed before you have looked at the proposals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labelled recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the names that this recording has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: label all points anew, also those that have names of the marker set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>LabelModel</name>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sure enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too unsure to be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelPane</name>
+    <message>
+        <source>There is nothing to be labelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces labelled: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces labelled: {0}. Samples set aside, for want of a point: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label of this piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another label for this piece; those that are free at that time come first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject (Del)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels that are less sure are not given, unless you accept them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished">应用</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label from recordings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels for points that have none, or that are in pieces, can be learned from recordings of the same marker set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels are being looked for…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points have names that the labelled recordings have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least {0} % sure: {1} of {2} pieces get a label.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applied. Undo brings the proposals back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ The recording was edited since: run it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (another piece has it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelSearch</name>
+    <message>
+        <source>Labelling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels are proposed for {0} pieces; nothing is changed yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points have names that the labelled recordings have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled: no labels are proposed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabelTable</name>
+    <message>
+        <source>Proposed labels</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1140,12 +1633,24 @@
         <translation>最长</translation>
     </message>
     <message>
+        <source>Nobody has said which marker this is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: never seen in this recording</source>
         <translation>{0}：在此记录中从未出现</translation>
     </message>
     <message>
         <source>{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled</source>
         <translation>{0}：{1} 个未填补的缺失段，最长 {2} 帧 ({3} ms)，已填补 {4} 个采样</translation>
+    </message>
+    <message>
+        <source>{0} samples set aside</source>
+        <translation>已搁置 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>{0} samples smoothed: {1}, moved by {2} mm RMS</source>
+        <translation>已平滑 {0} 个采样：{1}，移动量均方根 {2} mm</translation>
     </message>
     <message>
         <source>Moves as one with {0}</source>
@@ -1227,6 +1732,14 @@
         <translation>现在仍缺失的采样数</translation>
     </message>
     <message>
+        <source>Smoothed (mm)</source>
+        <translation>平滑 (mm)</translation>
+    </message>
+    <message>
+        <source>How far smoothing moved it: RMS, in mm</source>
+        <translation>平滑使其移动的距离：均方根，单位 mm</translation>
+    </message>
+    <message>
         <source>Filled by (%)</source>
         <translation>填补方法 (%)</translation>
     </message>
@@ -1248,6 +1761,14 @@
     <message>
         <source>Filter markers</source>
         <translation>筛选标记点</translation>
+    </message>
+    <message>
+        <source>1 point without a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} points without a label</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Markers</source>
@@ -1282,6 +1803,10 @@
     <message>
         <source>&amp;Gaps</source>
         <translation>缺失段(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;blems</source>
+        <translation>问题(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Repair</source>
@@ -1837,6 +2362,126 @@
         <source>Recordings to learn from beside this one. Windows of motion that are coded by them, as in bone-dictionary, become part of the blend as far as tests speak for it; bones of a skeleton get their exact lengths. This takes seconds a gap.</source>
         <translation>除此记录外另用来学习的记录。用其编码的运动窗口（同 bone-dictionary）在测试支持时参与混合；骨架的骨段取其精确长度。每个缺失段需数秒。</translation>
     </message>
+    <message>
+        <source>Butterworth, zero lag</source>
+        <translation>巴特沃斯，零相位</translation>
+    </message>
+    <message>
+        <source>Takes away what is faster than a cut-off frequency, forwards and backwards so that nothing is delayed. The common choice of biomechanics; it rounds off impacts.</source>
+        <translation>去除快于截止频率的成分，正反各滤波一次，因此没有延迟。生物力学中的常用选择；会磨圆冲击。</translation>
+    </message>
+    <message>
+        <source>Cut-off</source>
+        <translation>截止频率</translation>
+    </message>
+    <message>
+        <source>Motion faster than this is taken for noise: where the power is halved. Automatic: residual analysis.</source>
+        <translation>比它更快的运动视为噪声：功率减半之处。自动：残差分析。</translation>
+    </message>
+    <message>
+        <source>Choose for</source>
+        <translation>选择范围</translation>
+    </message>
+    <message>
+        <source>Automatic cut-off only: one for each axis of each marker, one for each marker, or one for all that is smoothed.</source>
+        <translation>仅用于自动截止频率：每个标记点的每个坐标轴各一个、每个标记点一个，或全部平滑内容共用一个。</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>准则</translation>
+    </message>
+    <message>
+        <source>Automatic cut-off only. Least error: the cut-off with the least expected error, given the noise that residual analysis finds. Winter: where the residual equals the noise, which smooths more.</source>
+        <translation>仅用于自动截止频率。最小误差：在残差分析得出的噪声下预期误差最小的截止频率。Winter：残差等于噪声之处，平滑更多。</translation>
+    </message>
+    <message>
+        <source>least-error</source>
+        <translation>最小误差</translation>
+    </message>
+    <message>
+        <source>winter</source>
+        <translation>Winter 法</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>阶数</translation>
+    </message>
+    <message>
+        <source>Of the filter that goes forwards and backwards, both ways together: an even number. Higher cuts more sharply and rings more beside impacts.</source>
+        <translation>正反两次滤波合计的阶数，须为偶数。越高截止越陡，冲击旁的振铃也越多。</translation>
+    </message>
+    <message>
+        <source>Savitzky-Golay</source>
+        <translation>Savitzky-Golay 滤波</translation>
+    </message>
+    <message>
+        <source>Fits a polynomial to a short stretch around each sample. Keeps the height of peaks better than most; what is faster than its window is not taken away completely.</source>
+        <translation>对每个采样周围的一小段拟合多项式。比多数方法更能保持峰值高度；快于其窗口的成分不会完全去除。</translation>
+    </message>
+    <message>
+        <source>How long the stretch is that a polynomial is fitted to, around each sample: the nearest odd number of frames. Automatic: the one with the best cross-validation score, up to half a second.</source>
+        <translation>每个采样周围拟合多项式的时长，取最接近的奇数帧。自动：交叉验证得分最好者，最长半秒。</translation>
+    </message>
+    <message>
+        <source>Of the polynomial. Higher follows impacts better and smooths less.</source>
+        <translation>多项式的阶数。越高越能跟随冲击，平滑越少。</translation>
+    </message>
+    <message>
+        <source>A quintic spline that smooths by as much as generalised cross-validation says, and less at impacts. Good where speeds and accelerations are wanted; jitter that lasts for several frames is taken for motion.</source>
+        <translation>五次样条，平滑程度由广义交叉验证决定，冲击处平滑较少。适合需要速度和加速度的情况；持续数帧的抖动会被当作运动。</translation>
+    </message>
+    <message>
+        <source>Motion faster than this is taken for noise: where the power is halved. Automatic: generalised cross-validation, or the measurement noise where it is given.</source>
+        <translation>比它更快的运动视为噪声：功率减半之处。自动：广义交叉验证；给出测量噪声时以其为准。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate: about so much is smoothed away. Automatic: generalised cross-validation.</source>
+        <translation>测量坐标的标准差：大约平滑掉这么多。自动：广义交叉验证。</translation>
+    </message>
+    <message>
+        <source>Keep impacts</source>
+        <translation>保留冲击</translation>
+    </message>
+    <message>
+        <source>Smooths less where the motion is much faster than elsewhere, as at a foot strike or a kick. Off: as much everywhere, as Woltring&apos;s program does.</source>
+        <translation>在运动远快于别处的地方（如着地或踢击）平滑较少。关闭：各处同样平滑，与 Woltring 的程序一致。</translation>
+    </message>
+    <message>
+        <source>Kalman smoother</source>
+        <translation>卡尔曼平滑器</translation>
+    </message>
+    <message>
+        <source>Weighs each sample against what the motion around it lets expect. How fast the motion changes and how noisy the samples are is estimated from the samples.</source>
+        <translation>将每个采样与其周围运动的预期加权。运动变化的快慢和采样的噪声由采样本身估计。</translation>
+    </message>
+    <message>
+        <source>What is carried from frame to frame: the velocity, or the acceleration too, which makes a smoother curve and rounds off more of an impact.</source>
+        <translation>逐帧延续的量：速度，或连同加速度；后者曲线更平滑，但对冲击磨圆更多。</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured coordinate. Automatic: estimated together with how fast the motion changes.</source>
+        <translation>测量坐标的标准差。自动：与运动变化的快慢一同估计。</translation>
+    </message>
 </context>
 <context>
     <name>MethodsPage</name>
@@ -2218,6 +2863,10 @@
         <translation>记录在此期间被编辑过：请重新重放。</translation>
     </message>
     <message>
+        <source>{0} Stretches smoothed again: {1}.</source>
+        <translation>{0} 已重新平滑的区段：{1} 个。</translation>
+    </message>
+    <message>
         <source>The recipe has nothing to do here.</source>
         <translation>该修复方案在此处没有可做的操作。</translation>
     </message>
@@ -2289,6 +2938,10 @@
         <translation>标记点</translation>
     </message>
     <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>帧数</translation>
     </message>
@@ -2317,20 +2970,24 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>What has become of the gap</source>
-        <translation>缺失段的处理状态</translation>
+        <source>What has become of the problem</source>
+        <translation>问题的处理情况</translation>
     </message>
     <message>
-        <source>Missing frames</source>
-        <translation>缺失的帧数</translation>
+        <source>A gap, or what is wrong with the samples</source>
+        <translation>缺失段，或采样的问题所在</translation>
     </message>
     <message>
-        <source>Expected error of the best repair that was tried, in mm</source>
-        <translation>已尝试的最佳修复的预期误差 (mm)</translation>
+        <source>Frames that are missing or bad</source>
+        <translation>缺失或坏的帧数</translation>
     </message>
     <message>
-        <source>Expected error times missing frames: what comes first is worst</source>
-        <translation>预期误差乘以缺失帧数：排在最前的最严重</translation>
+        <source>Expected error of the best repair that was tried, or how far bad samples are off, in mm</source>
+        <translation>已试过的最佳修复的预期误差，或坏采样的偏差，单位 mm</translation>
+    </message>
+    <message>
+        <source>Error times frames: what comes first is worst</source>
+        <translation>误差乘以帧数：排在最前的最严重</translation>
     </message>
     <message>
         <source>The method with the least expected error</source>
@@ -2363,6 +3020,18 @@
     <message>
         <source>never to be filled</source>
         <translation>永不填补</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>已找到</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>已修正</translation>
+    </message>
+    <message>
+        <source>no problem</source>
+        <translation>没有问题</translation>
     </message>
     <message>
         <source>start, {0} more missing</source>
@@ -2400,10 +3069,6 @@
         <translation>状态</translation>
     </message>
     <message>
-        <source>Length of the gaps</source>
-        <translation>缺失段的长度</translation>
-    </message>
-    <message>
         <source>Rank</source>
         <translation>排序</translation>
     </message>
@@ -2424,16 +3089,48 @@
         <translation>保留未填</translation>
     </message>
     <message>
-        <source>Repaired</source>
-        <translation>已修复</translation>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Kind of problem</source>
+        <translation>问题的类型</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Look for bad samples in the background</source>
+        <translation>在后台查找坏采样</translation>
+    </message>
+    <message>
+        <source>Repaired or fixed</source>
+        <translation>已修复或修正</translation>
     </message>
     <message>
         <source>Never to be filled</source>
         <translation>永不填补</translation>
     </message>
     <message>
+        <source>No problem</source>
+        <translation>没有问题</translation>
+    </message>
+    <message>
         <source>All</source>
         <translation>全部</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>所有类型</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>缺失段</translation>
+    </message>
+    <message>
+        <source>Bad samples</source>
+        <translation>坏采样</translation>
     </message>
     <message>
         <source>Any length</source>
@@ -2452,20 +3149,28 @@
         <translation>1 s 以上</translation>
     </message>
     <message>
+        <source>No problem passes the filter.</source>
+        <translation>没有符合筛选条件的问题。</translation>
+    </message>
+    <message>
+        <source>{0} listed · ranked {1} of {2}</source>
+        <translation>列出 {0} 项 · 已排序 {1} / {2}</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 个问题</translation>
+    </message>
+    <message>
+        <source>{0} problems</source>
+        <translation>{0} 个问题</translation>
+    </message>
+    <message>
         <source>1 gap</source>
         <translation>1 个缺失段</translation>
     </message>
     <message>
-        <source>No gap passes the filter.</source>
-        <translation>没有符合筛选条件的缺失段。</translation>
-    </message>
-    <message>
         <source>No marker is missing anywhere: there is nothing to fill.</source>
         <translation>没有标记点缺失：无需填补。</translation>
-    </message>
-    <message>
-        <source>{0} gaps · ranked {1} of {2}</source>
-        <translation>{0} 个缺失段 · 已排序 {1} / {2}</translation>
     </message>
     <message>
         <source>{0} gaps</source>
@@ -2475,8 +3180,8 @@
 <context>
     <name>QueueTable</name>
     <message>
-        <source>Queue of gaps</source>
-        <translation>缺失段队列</translation>
+        <source>Queue of problems</source>
+        <translation>问题队列</translation>
     </message>
     <message>
         <source>inside, {0} more missing</source>
@@ -2589,6 +3294,29 @@
     <message>
         <source>Recordings with edits that can be recovered</source>
         <translation>有可恢复编辑的记录</translation>
+    </message>
+</context>
+<context>
+    <name>RenamingActions</name>
+    <message>
+        <source>{0} is called {1} now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ {0} is called {1} now, as another marker is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the two markers whose names are to be exchanged, and no other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both have the same name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1} have each other&apos;s name now.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2825,6 +3553,25 @@
     <message>
         <source>Report</source>
         <translation>报告</translation>
+    </message>
+</context>
+<context>
+    <name>ResidualPlot</name>
+    <message>
+        <source>Residual by cut-off</source>
+        <translation>残差与截止频率</translation>
+    </message>
+    <message>
+        <source>What the filter takes away, in mm, by its cut-off. Dashed: what it would take of noise alone. Dot: the cut-off. Click to give another one.</source>
+        <translation>滤波器在各截止频率下去除的量，单位 mm。虚线：仅有噪声时会去除的量。圆点：截止频率。点击可另行指定。</translation>
+    </message>
+    <message>
+        <source>{0}: cut-off {1} Hz, noise {2} mm</source>
+        <translation>{0}：截止频率 {1} Hz，噪声 {2} mm</translation>
+    </message>
+    <message>
+        <source>mm by Hz</source>
+        <translation>残差 mm / Hz</translation>
     </message>
 </context>
 <context>
@@ -4657,6 +5404,402 @@
         <source>a parameter is neither a number nor a text, nor a list of texts</source>
         <translation>有一个参数既不是数字或文本，也不是文本列表</translation>
     </message>
+    <message>
+        <source>fix {0} ({1})</source>
+        <translation>修正 {0} ({1})</translation>
+    </message>
+    <message>
+        <source>fix {0} problems ({1})</source>
+        <translation>修正 {0} 个问题 ({1})</translation>
+    </message>
+    <message>
+        <source>fix {0} problems</source>
+        <translation>修正 {0} 个问题</translation>
+    </message>
+    <message>
+        <source>set {0} samples of {1} aside</source>
+        <translation>搁置 {1} 的 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>believe {0} samples of {1} again</source>
+        <translation>重新采用 {1} 的 {0} 个采样</translation>
+    </message>
+    <message>
+        <source>exchange {0}</source>
+        <translation>互换 {0}</translation>
+    </message>
+    <message>
+        <source>correct as in {0}</source>
+        <translation>按 {0} 修正</translation>
+    </message>
+    <message>
+        <source>fill {0} gaps again</source>
+        <translation>重新填补 {0} 个缺失段</translation>
+    </message>
+    <message>
+        <source>{0} markers</source>
+        <translation>{0} 个标记点</translation>
+    </message>
+    <message>
+        <source>It was set aside by hand.</source>
+        <translation>手动搁置。</translation>
+    </message>
+    <message>
+        <source>It belongs to none of the labels.</source>
+        <translation>它不属于任何名称。</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 帧</translation>
+    </message>
+    <message>
+        <source>{0} frames</source>
+        <translation>{0} 帧</translation>
+    </message>
+    <message>
+        <source>For {0} it is {1} mm from where the frames before and after lead, {2} times the noise there.</source>
+        <translation>有 {0} 偏离前后帧所指的位置 {1} mm，为该处噪声的 {2} 倍。</translation>
+    </message>
+    <message>
+        <source>For 1 frame {0} and {1}, {2} mm apart, each continue the other&apos;s trajectory.</source>
+        <translation>有 1 帧，{0} 与 {1}（相距 {2} mm）各自延续了对方的轨迹。</translation>
+    </message>
+    <message>
+        <source>For {0} frames {1} and {2}, {3} mm apart, each continue the other&apos;s trajectory.</source>
+        <translation>有 {0} 帧，{1} 与 {2}（相距 {3} mm）各自延续了对方的轨迹。</translation>
+    </message>
+    <message>
+        <source>For {0} its distances to its neighbours differ by {1} mm from what they are otherwise.</source>
+        <translation>有 {0} 与相邻标记点的距离同平时相差 {1} mm。</translation>
+    </message>
+    <message>
+        <source>For {0} it is {1} mm from the middle of the body, where it is {2} mm otherwise.</source>
+        <translation>有 {0} 距身体中心 {1} mm，平时为 {2} mm。</translation>
+    </message>
+    <message>
+        <source>For {0} it is in the same place as {1}, from which it is {2} mm away otherwise.</source>
+        <translation>有 {0} 与 {1} 处于同一位置，平时相距 {2} mm。</translation>
+    </message>
+    <message>
+        <source>The sample after a gap bends away from the trajectory, by up to {0} mm.</source>
+        <translation>缺失段之后的采样偏离轨迹，最多 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The sample before a gap bends away from the trajectory, by up to {0} mm.</source>
+        <translation>缺失段之前的采样偏离轨迹，最多 {0} mm。</translation>
+    </message>
+    <message>
+        <source>The {0} samples after a gap bend away from the trajectory, by up to {1} mm.</source>
+        <translation>缺失段之后的 {0} 个采样偏离轨迹，最多 {1} mm。</translation>
+    </message>
+    <message>
+        <source>The {0} samples before a gap bend away from the trajectory, by up to {1} mm.</source>
+        <translation>缺失段之前的 {0} 个采样偏离轨迹，最多 {1} mm。</translation>
+    </message>
+    <message>
+        <source>It jumps {0} mm, and then the same coordinates are repeated {1} times.</source>
+        <translation>它跳动 {0} mm，然后相同的坐标重复 {1} 次。</translation>
+    </message>
+    <message>
+        <source>The same coordinates are repeated {0}, and then it is {1} mm away.</source>
+        <translation>相同的坐标重复{0}，然后相距 {1} mm。</translation>
+    </message>
+    <message>
+        <source>The same coordinates are repeated {0}, while it has moved by {1} mm.</source>
+        <translation>相同的坐标重复{0}，而其间移动了 {1} mm。</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>一次</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0} 次</translation>
+    </message>
+    <message>
+        <source>It is seen for {0} and {1}.</source>
+        <translation>可见 {0}，{1}。</translation>
+    </message>
+    <message>
+        <source>no marker is missing there that it could be</source>
+        <translation>那里没有它可能属于的缺失标记点</translation>
+    </message>
+    <message>
+        <source>fits no marker: {0} comes nearest, off by {1} times the usual</source>
+        <translation>不属于任何标记点：最接近的是 {0}，偏差为平时的 {1} 倍</translation>
+    </message>
+    <message>
+        <source>may be {0} or {1}: it fits both about as well</source>
+        <translation>可能是 {0} 或 {1}：两者同样吻合</translation>
+    </message>
+    <message>
+        <source>For {0} it fits into a gap of {1}: it is off by {2} times what is usual, no other is missing.</source>
+        <translation>有 {0} 符合 {1} 的缺失段：偏差为平时的 {2} 倍，没有其他标记点缺失。</translation>
+    </message>
+    <message>
+        <source>For {0} it fits into a gap of {1}: it is off by {2} times what is usual, the next marker by {3}.</source>
+        <translation>有 {0} 符合 {1} 的缺失段：偏差为平时的 {2} 倍，其次的标记点为 {3} 倍。</translation>
+    </message>
+    <message>
+        <source>{0} measured sample were set aside, or are no longer; the repair record lists them.</source>
+        <translation>{0} 个测量采样被搁置或不再搁置；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured samples were set aside, or are no longer; the repair record lists them.</source>
+        <translation>{0} 个测量采样被搁置或不再搁置；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured sample were smoothed; the repair record lists them.</source>
+        <translation>{0} 个测量采样被平滑；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} measured samples were smoothed; the repair record lists them.</source>
+        <translation>{0} 个测量采样被平滑；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} sample changed places between markers; the repair record lists them.</source>
+        <translation>{0} 个采样在标记点之间互换；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} samples changed places between markers; the repair record lists them.</source>
+        <translation>{0} 个采样在标记点之间互换；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} is called {1}; the repair record lists it.</source>
+        <translation>{0} 改名为 {1}；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>{0} is called {1} and {2} more; the repair record lists it.</source>
+        <translation>{0} 改名为 {1}，另有 {2} 个；修复记录中已列出。</translation>
+    </message>
+    <message>
+        <source>Marker {0}: {1} set aside were not measured as the repair record says, the first at frame {2}.</source>
+        <translation>标记点 {0}：被搁置的 {1} 与修复记录所述的测量值不符，首个在第 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 个采样</translation>
+    </message>
+    <message>
+        <source>{0} samples</source>
+        <translation>{0} 个采样</translation>
+    </message>
+    <message>
+        <source>The repair record lists exchanges that contradict each other.</source>
+        <translation>修复记录所列的互换相互矛盾。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} runs that the repair record sets aside are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录搁置的 {1} 个连续段中有 {0} 个已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} exchanged runs of the repair record are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录的 {1} 处互换中有 {0} 处已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} smoothed runs of the repair record are not in the file any more; their samples are taken as they are.</source>
+        <translation>修复记录的 {1} 处平滑中有 {0} 处已不在文件中；其采样按现状采用。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} new names of the repair record are not in the file any more.</source>
+        <translation>修复记录的 {1} 个新名称中有 {0} 个已不在文件中。</translation>
+    </message>
+    <message>
+        <source>The parameters of this file have no room for the label {0}.</source>
+        <translation>此文件的参数中容不下名称 {0}。</translation>
+    </message>
+    <message>
+        <source>Choose shorter labels, or save it as another format.</source>
+        <translation>请选用更短的名称，或另存为其他格式。</translation>
+    </message>
+    <message>
+        <source>This cannot be smoothed: {0}.</source>
+        <translation>无法平滑：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose other parameters, or another method.</source>
+        <translation>请选择其他参数，或其他方法。</translation>
+    </message>
+    <message>
+        <source>No labels can be learned: {0}.</source>
+        <translation>无法学习名称：{0}。</translation>
+    </message>
+    <message>
+        <source>Choose recordings whose markers are labelled.</source>
+        <translation>请选择标记点有名称的记录。</translation>
+    </message>
+    <message>
+        <source>smooth {0} markers ({1})</source>
+        <translation>平滑 {0} 个标记点 ({1})</translation>
+    </message>
+    <message>
+        <source>smooth {0} ({1})</source>
+        <translation>平滑 {0} ({1})</translation>
+    </message>
+    <message>
+        <source>take smoothing off {0} markers</source>
+        <translation>取消 {0} 个标记点的平滑</translation>
+    </message>
+    <message>
+        <source>take smoothing off {0}</source>
+        <translation>取消 {0} 的平滑</translation>
+    </message>
+    <message>
+        <source>replay the smoothing of {0}</source>
+        <translation>重放 {0} 的平滑</translation>
+    </message>
+    <message>
+        <source>There are no samples.</source>
+        <translation>没有采样。</translation>
+    </message>
+    <message>
+        <source>Only {0} on end: this needs at least {1}.</source>
+        <translation>连续的只有 {0}：至少需要 {1} 个。</translation>
+    </message>
+    <message>
+        <source>order must be an even number from 2, not {0}</source>
+        <translation>阶数须为不小于 2 的偶数，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>cutoff_hz must be above 0 and below half the frame rate, {0} Hz, not {1}</source>
+        <translation>截止频率须大于 0 且低于帧率的一半 {0} Hz，而不是 {1}</translation>
+    </message>
+    <message>
+        <source>cutoff_hz must be from {0} Hz to below half the frame rate, {1} Hz, not {2}</source>
+        <translation>截止频率须不低于 {0} Hz 且低于帧率的一半 {1} Hz，而不是 {2}</translation>
+    </message>
+    <message>
+        <source>give cutoff_hz or noise_mm, not both: each says how much to smooth</source>
+        <translation>截止频率与测量噪声只能给出其一：二者都决定平滑程度</translation>
+    </message>
+    <message>
+        <source>noise_mm must be above 0 mm, not {0}</source>
+        <translation>测量噪声须大于 0 mm，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>order must be at least 1, not {0}</source>
+        <translation>阶数至少为 1，而不是 {0}</translation>
+    </message>
+    <message>
+        <source>window_ms must be at least {0} ms at {1} Hz: order {2} needs {3} frames, and {4} ms are {5}</source>
+        <translation>窗口至少须为 {0} ms（{1} Hz 时）：{2} 阶需要 {3} 帧，而 {4} ms 只有 {5} 帧</translation>
+    </message>
+    <message>
+        <source>rename {0} to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exchange the names of {0} and {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label {0} pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label {0} as {1}, frames {2} to {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has this name already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has a name that the labelled recordings do not have, and is left alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {0} mm from where the other markers put {1}; no other label fits nearly as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {0} mm from where the other markers put {1}, but {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its distances to the other markers are those of {0}; no other label fits nearly as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its distances to the other markers are those of {0}, but {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it may as well be no marker at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} fits nearly as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left and right can hardly be told apart: with {0} labels in each other&apos;s place, and {1} here, the body fits nearly as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the shape of the body that was learned, it may be {0} throughout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other pieces with this label fit better</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few points are seen at once to tell which labels they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is where no label would be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is most like {0}, but other points fit that better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A marker needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name must not have line breaks or other control characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This name is too long: it takes {0} bytes, and a C3D file has room for {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marker is not seen in the selected frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marker is not seen in this frame: go to one in which it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marker has this label already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point has this label, and this one has another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the marker, or choose a label that a point has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recordings to learn from show {0} named markers; at least {1} are needed that are seen together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} points have no label. “Label from recordings…” in the Edit menu finds out which markers they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ShortcutsDialog</name>
@@ -4746,10 +5889,384 @@
     </message>
 </context>
 <context>
+    <name>SmoothPane</name>
+    <message>
+        <source>Which markers</source>
+        <translation>哪些标记点</translation>
+    </message>
+    <message>
+        <source>Selected markers</source>
+        <translation>所选标记点</translation>
+    </message>
+    <message>
+        <source>All markers</source>
+        <translation>全部标记点</translation>
+    </message>
+    <message>
+        <source>Which frames</source>
+        <translation>哪些帧</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>整个记录</translation>
+    </message>
+    <message>
+        <source>Selected frames</source>
+        <translation>所选帧</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Take off</source>
+        <translation>取消平滑</translation>
+    </message>
+    <message>
+        <source>Smoothing method</source>
+        <translation>平滑方法</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Frames {0} – {1}</source>
+        <translation>第 {0} – {1} 帧</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{0} is smoothed&lt;/b&gt;</source>
+        <translation>&lt;b&gt;{0} 已平滑&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>{0}, {1} Hz, moved by {2} mm RMS</source>
+        <translation>{0}，{1} Hz，移动量均方根 {2} mm</translation>
+    </message>
+    <message>
+        <source>and {0} more stretches</source>
+        <translation>以及另外 {0} 个区段</translation>
+    </message>
+    <message>
+        <source>Select a marker to see what smoothing would do to it.</source>
+        <translation>选择一个标记点以查看平滑的效果。</translation>
+    </message>
+    <message>
+        <source>Computing the preview…</source>
+        <translation>正在计算预览…</translation>
+    </message>
+    <message>
+        <source>Preview of the {0} markers selected last.</source>
+        <translation>预览最后选择的 {0} 个标记点。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Next to nothing was found to smooth&lt;/b&gt; in {0}: the cut-off is close to half of the frame rate ({1} Hz).</source>
+        <translation>{0} 中&lt;b&gt;几乎没有可平滑的内容&lt;/b&gt;：截止频率接近帧率的一半 ({1} Hz)。</translation>
+    </message>
+    <message>
+        <source>If you see jitter all the same, give a cut-off.</source>
+        <translation>若仍看到抖动，请指定截止频率。</translation>
+    </message>
+    <message>
+        <source>If you see jitter all the same, give a window.</source>
+        <translation>若仍看到抖动，请指定窗口。</translation>
+    </message>
+    <message>
+        <source>If you see jitter all the same, give the measurement noise.</source>
+        <translation>若仍看到抖动，请指定测量噪声。</translation>
+    </message>
+    <message>
+        <source>Fewer than {0} samples on end.</source>
+        <translation>连续采样不足 {0} 个。</translation>
+    </message>
+    <message>
+        <source>Left as they are: stretches {0}. {1}</source>
+        <translation>保持原样的区段：{0} 个。{1}</translation>
+    </message>
+</context>
+<context>
+    <name>SmoothTable</name>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Cut-off (Hz)</source>
+        <translation>截止 (Hz)</translation>
+    </message>
+    <message>
+        <source>RMS mm</source>
+        <translation>均方根 mm</translation>
+    </message>
+    <message>
+        <source>Max mm</source>
+        <translation>最大 mm</translation>
+    </message>
+    <message>
+        <source>✔: smoothed in this way already</source>
+        <translation>✔：已按此方式平滑</translation>
+    </message>
+    <message>
+        <source>Of x, y and z: motion faster than this is taken for noise</source>
+        <translation>x、y、z 各自的截止频率：比它更快的运动视为噪声</translation>
+    </message>
+    <message>
+        <source>How far samples would be moved: root mean square</source>
+        <translation>采样将移动的距离：均方根</translation>
+    </message>
+    <message>
+        <source>The largest distance that a sample would be moved</source>
+        <translation>单个采样将移动的最大距离</translation>
+    </message>
+    <message>
+        <source>What smoothing would do</source>
+        <translation>平滑的效果</translation>
+    </message>
+</context>
+<context>
+    <name>Smoothing</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Smoothing is still going on.</source>
+        <translation>平滑仍在进行。</translation>
+    </message>
+    <message>
+        <source>Nothing to smooth: select markers that are seen here.</source>
+        <translation>没有可平滑的内容：请选择此处可见的标记点。</translation>
+    </message>
+    <message>
+        <source>Smoothing {0} markers</source>
+        <translation>正在平滑 {0} 个标记点</translation>
+    </message>
+    <message>
+        <source>Smoothing taken off: stretches {0}.</source>
+        <translation>已取消平滑的区段：{0} 个。</translation>
+    </message>
+    <message>
+        <source>This file came smoothed: what was measured is in the original alone.</source>
+        <translation>此文件打开时已平滑：测量值只在原始文件中。</translation>
+    </message>
+    <message>
+        <source>There is no smoothing here.</source>
+        <translation>此处没有平滑。</translation>
+    </message>
+    <message>
+        <source>The recording was edited meanwhile: smooth again.</source>
+        <translation>记录在此期间已被编辑：请重新平滑。</translation>
+    </message>
+    <message>
+        <source>Nothing was smoothed: the stretches are too short.</source>
+        <translation>没有平滑任何内容：区段太短。</translation>
+    </message>
+    <message>
+        <source>Markers smoothed: {0}; samples moved by {1} mm RMS, {2} mm at most.</source>
+        <translation>已平滑的标记点：{0} 个；采样移动量均方根 {1} mm，最大 {2} mm。</translation>
+    </message>
+    <message>
+        <source>Stretches left as they were: {0}.</source>
+        <translation>保持原样的区段：{0} 个。</translation>
+    </message>
+    <message>
+        <source>Next to nothing was found to smooth in {0} of them.</source>
+        <translation>其中 {0} 个几乎没有可平滑的内容。</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was smoothed.</source>
+        <translation>已取消：没有平滑任何内容。</translation>
+    </message>
+</context>
+<context>
     <name>Survey</name>
     <message>
         <source>Ranking</source>
         <translation>正在排序</translation>
+    </message>
+</context>
+<context>
+    <name>SuspectBox</name>
+    <message>
+        <source>Current problem</source>
+        <translation>当前问题</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>修正</translation>
+    </message>
+    <message>
+        <source>No problem</source>
+        <translation>没有问题</translation>
+    </message>
+    <message>
+        <source>Believe again</source>
+        <translation>重新采用</translation>
+    </message>
+    <message>
+        <source>◀ Previous</source>
+        <translation>◀ 上一个</translation>
+    </message>
+    <message>
+        <source>Next ▶</source>
+        <translation>下一个 ▶</translation>
+    </message>
+    <message>
+        <source>Fix this kind</source>
+        <translation>修正此类</translation>
+    </message>
+    <message>
+        <source>Fix all</source>
+        <translation>全部修正</translation>
+    </message>
+    <message>
+        <source>A problem after all</source>
+        <translation>仍是问题</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fixed.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;已修正。&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;You hold it for no problem.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;您认为这不是问题。&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>It fits no marker: exchange it by hand, or say it is no problem.</source>
+        <translation>它不属于任何标记点：请手动互换，或标为没有问题。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fixing&lt;/b&gt; exchanges the two: dashed lines show how it will be.</source>
+        <translation>&lt;b&gt;修正&lt;/b&gt;将互换两者：虚线显示互换后的样子。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fixing&lt;/b&gt; sets the samples aside: they become a gap, to be filled.</source>
+        <translation>&lt;b&gt;修正&lt;/b&gt;将搁置这些采样：它们成为有待填补的缺失段。</translation>
+    </message>
+    <message>
+        <source>To be filled with {0}, as shown.</source>
+        <translation>将如图用“{0}”填补。</translation>
+    </message>
+    <message>
+        <source>To be filled with {0}, as shown: expected error {1} mm.</source>
+        <translation>将如图用“{0}”填补：预期误差 {1} mm。</translation>
+    </message>
+    <message>
+        <source>frame {0} ({1} ms)</source>
+        <translation>帧 {0} ({1} ms)</translation>
+    </message>
+    <message>
+        <source>frames {0} – {1}: {2} ({3} ms)</source>
+        <translation>帧 {0} – {1}：{2} 帧 ({3} ms)</translation>
+    </message>
+</context>
+<context>
+    <name>Suspects</name>
+    <message>
+        <source>Gap</source>
+        <translation>缺失段</translation>
+    </message>
+    <message>
+        <source>Spike</source>
+        <translation>尖峰</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>互换</translation>
+    </message>
+    <message>
+        <source>Fragment</source>
+        <translation>片段</translation>
+    </message>
+    <message>
+        <source>Ragged</source>
+        <translation>残缺端</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>冻结</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>骨长</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远离</translation>
+    </message>
+    <message>
+        <source>Double</source>
+        <translation>重合</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Swapped labels</source>
+        <translation>标签互换</translation>
+    </message>
+    <message>
+        <source>Fragment or ghost</source>
+        <translation>片段或鬼点</translation>
+    </message>
+    <message>
+        <source>Ragged end</source>
+        <translation>残缺端</translation>
+    </message>
+    <message>
+        <source>Frozen samples</source>
+        <translation>冻结采样</translation>
+    </message>
+    <message>
+        <source>Broken bone</source>
+        <translation>骨长异常</translation>
+    </message>
+    <message>
+        <source>Far from the body</source>
+        <translation>远离身体</translation>
+    </message>
+    <message>
+        <source>Coinciding points</source>
+        <translation>重合点</translation>
+    </message>
+    <message>
+        <source>Of no label</source>
+        <translation>不属于任何名称</translation>
+    </message>
+    <message>
+        <source>Set aside by hand</source>
+        <translation>手动搁置</translation>
+    </message>
+    <message>
+        <source>The rest is explained otherwise.</source>
+        <translation>其余部分另有解释。</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} mm off</source>
+        <translation>偏差 {0} mm</translation>
+    </message>
+    <message>
+        <source>{0} % sure</source>
+        <translation>{0} % 把握</translation>
+    </message>
+</context>
+<context>
+    <name>TakenOff</name>
+    <message>
+        <source>Smoothing that depends on this was taken off, stretches: {0}. Smooth again at the end.</source>
+        <translation>依赖于此的平滑已取消，区段：{0} 个。请在最后重新平滑。</translation>
     </message>
 </context>
 <context>
@@ -4800,6 +6317,14 @@
         <translation>{0}：第 {1} 至 {2} 帧缺失，共 {3} 帧 ({4} ms)</translation>
     </message>
     <message>
+        <source>{0}, frames {1} to {2}</source>
+        <translation>{0}，第 {1} 至 {2} 帧</translation>
+    </message>
+    <message>
+        <source>{0}: smoothed, frames {1} to {2} ({3}, moved by {4} mm RMS)</source>
+        <translation>{0}：已平滑，第 {1} 至 {2} 帧（{3}，移动量均方根 {4} mm）</translation>
+    </message>
+    <message>
         <source>{0}, frame {1}, {2} s</source>
         <translation>{0}，第 {1} 帧，{2} s</translation>
     </message>
@@ -4814,6 +6339,10 @@
     <message>
         <source>Current gap: {0}.</source>
         <translation>当前缺失段：{0}。</translation>
+    </message>
+    <message>
+        <source>Current problem: {0}</source>
+        <translation>当前问题：{0}</translation>
     </message>
     <message>
         <source>Selected: frames {0} to {1}.</source>
@@ -4968,6 +6497,10 @@
         <translation>缺失</translation>
     </message>
     <message>
+        <source>set aside</source>
+        <translation>已搁置</translation>
+    </message>
+    <message>
         <source>Frame {0} · {1} s</source>
         <translation>第 {0} 帧 · {1} s</translation>
     </message>
@@ -5057,6 +6590,14 @@
         <translation>导出 {0} 之后又有编辑。</translation>
     </message>
     <message>
+        <source>Select a marker first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels are being looked for already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Analog</source>
         <translation>模拟通道</translation>
     </message>
@@ -5091,6 +6632,14 @@
     <message>
         <source>History</source>
         <translation>历史</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
     </message>
     <message>
         <source>{0} events</source>

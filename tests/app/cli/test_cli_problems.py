@@ -1,15 +1,17 @@
 """`mocapmend problems`: bad samples as a table and as JSON."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from conftest import Json
 from mocapmend.cli import main
 from mocapmend.files import read_recording
 from mocapmend_algorithms.problems.registry import DETECTORS
+
+Json = Callable[..., tuple[int, Any]]
 
 WALK = "walk_cmu_02_01.c3d"
 SPIKE_MM = 90.0

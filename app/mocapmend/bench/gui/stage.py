@@ -11,7 +11,7 @@ from PySide6.QtCore import QEventLoop, QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
 from mocapmend.errors import MocapmendError
-from mocapmend.settings import RANKING, Settings
+from mocapmend.settings import RANKING, SEARCHING, Settings
 from mocapmend.views.application import make_application
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
@@ -39,13 +39,14 @@ def rest(progress: Progress) -> None:
 def window(*, ranking: bool = True) -> Iterator[MainWindow]:
     """Show the program's window, with settings of its own, its workers ready.
 
-    Without the ranking of the gaps nothing goes on but what is asked for.
+    Without ranking nothing goes on but what is asked for: bad samples are not looked for either.
     """
     app = make_application()
     with tempfile.TemporaryDirectory(prefix="mocapmend-bench-") as folder:
         store = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings = Settings(store)
         settings.set(RANKING, ranking)
+        settings.set(SEARCHING, ranking)
         shown = MainWindow(settings)
         shown.resize(*SIZE)
         shown.show()

@@ -1,6 +1,6 @@
 """The body: sticks, segments and markers."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from mocapmend.state import SampleState
 from mocapmend.views.engine_texts import segment_name
 from mocapmend.views.painters.hull import hull
 from mocapmend.views.painters.shot import Shot
+from mocapmend_algorithms import Gap
 from mocapmend_algorithms.skeleton import Segment
 
 translate = QCoreApplication.translate
@@ -78,30 +79,42 @@ def paint_segment_names(shot: Shot, segments: Sequence[Segment]) -> list[QRectF]
     return found
 
 
-def paint_markers(shot: Shot) -> None:
-    """Paint markers as circles, filled ones as squares and bad ones as crosses."""
+def paint_markers(shot: Shot, suspects: Collection[int]) -> None:
+    """Paint markers as circles, filled ones as squares and bad ones as crosses.
+
+    Parameters
+    ----------
+    shot : Shot
+        The frame.
+    suspects : collection of int
+        Markers that are there in this frame and held for bad.
+    """
     states = shot.document.state[shot.view.frame]
     drawn = np.isfinite(shot.pixels[:, 0])
-
-    measured, smoothed, filled, bad = (
+    measured, smoothed, filled = (
         shot.pixels[drawn & (states == state)]
-        for state in (
-            SampleState.MEASURED,
-            SampleState.SMOOTHED,
-            SampleState.FILLED,
-            SampleState.BAD,
-        )
+        for state in (SampleState.MEASURED, SampleState.SMOOTHED, SampleState.FILLED)
     )
     shot.dots(measured, shot.theme.marker, 6.0)
     shot.dots(smoothed, shot.theme.state_colour(SampleState.SMOOTHED), 6.0)
-    ink = shot.theme.state_colour(SampleState.FILLED)
+    ink, wrong = map(shot.theme.state_colour, (SampleState.FILLED, SampleState.BAD))
     shot.dots(filled, ink, 6.5, Qt.PenCapStyle.SquareCap)
-    shot.pen(shot.theme.state_colour(SampleState.BAD), 2.0)
-    shot.crosses(bad, 4.0)
+    held = [marker for marker in suspects if drawn[marker]]
+    shot.dots(shot.pixels[held], wrong, 8.0)
+    shot.pen(wrong, 2.0)
+    shot.crosses(shot.project(_set_aside(shot)), 4.0)
     for order, marker in enumerate(shot.view.selection):
         if drawn[marker]:
             shot.pen(shot.curve_colour(order), 2)
             shot.painter.drawEllipse(QPointF(*shot.pixels[marker]), 7.0, 7.0)
+
+
+def _set_aside(shot: Shot) -> NDArray[np.float64]:
+    """Return where the markers were measured that are set aside in this frame, shape (n, 3)."""
+    document, frame = shot.document, shot.view.frame
+    bad = np.flatnonzero(document.state[frame] == SampleState.BAD).tolist()
+    places = [document.stored(Gap(marker, frame, frame + 1)) for marker in bad]
+    return np.concatenate(places) if places else np.empty((0, 3))
 
 
 def _of_several(segments: Sequence[Segment]) -> list[tuple[int, Segment]]:

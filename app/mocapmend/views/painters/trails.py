@@ -12,6 +12,7 @@ from mocapmend.document import Document
 from mocapmend.state import SampleState
 from mocapmend.views.lane import thin
 from mocapmend.views.painters.shot import Array, Shot
+from mocapmend_algorithms import Gap
 
 MOST_VERTICES = 4000
 """Of all trails together; with more, frames are left out between the corners of a trail."""
@@ -53,6 +54,10 @@ def trails_around(document: Document, frame: int, reach: int, markers: NDArray[n
     after = min(reach, len(document.points) - 1 - frame) // step
     first, last = frame - before * step, frame + after * step
     points = document.points[first : last + 1 : step][:, markers]
+    bad = document.state[first : last + 1 : step][:, markers] == SampleState.BAD
+    for row in np.flatnonzero(bad.any(axis=0)).tolist():
+        stored = document.stored(Gap(int(markers[row]), first, last + 1))[::step]
+        points[bad[:, row], row] = stored[bad[:, row]]
     certain = _STYLE_OF[document.state[first : last + 1][:, markers]]
     between = certain[:-1].reshape(before + after, step, len(markers)).max(axis=1)
     return Trails(points, np.maximum(between, certain[step::step]))

@@ -1,0 +1,47 @@
+"""Two markers as they would be if their samples were exchanged."""
+
+import numpy as np
+from numpy.typing import NDArray
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import Qt
+
+from mocapmend.suspects import markers_of
+from mocapmend.views.painters.shot import Shot
+from mocapmend_algorithms.problems import BadRun
+
+MOST_CORNERS = 2000
+"""Of a trail: with more, frames are left out."""
+
+
+def paint_exchange(shot: Shot, run: BadRun | None, bones: NDArray[np.intp]) -> None:
+    """Paint the trails of both markers and, where the frame is inside, their sticks: dashed.
+
+    Parameters
+    ----------
+    shot : Shot
+        The frame.
+    run : BadRun or None
+        What would be exchanged; nothing is painted where it would be set aside.
+    bones : ndarray, shape (bones, 2)
+        Markers that sticks join.
+    """
+    pair = () if run is None else markers_of(run)
+    if run is None or len(pair) < 2:
+        return
+    points, style = shot.document.points, Qt.PenStyle.DashLine
+    first, last = max(0, run.start - 1), min(len(points), run.stop + 1)
+    frames = np.arange(first, last, max(1, (last - first) // MOST_CORNERS))
+    inside = (frames >= run.start) & (frames < run.stop)
+    for marker, other in (pair, pair[::-1]):
+        trail = np.where(inside[:, None], points[frames, other], points[frames, marker])
+        x, y = shot.project(trail).T
+        selection = shot.view.selection
+        order = selection.index(marker) if marker in selection else 0
+        shot.pen(shot.curve_colour(order), 1.5, style)
+        shot.painter.drawPath(arrayToQPath(x, y, connect="finite"))
+    if run.start <= shot.view.frame < run.stop:
+        exchanged = shot.pixels.copy()
+        exchanged[list(pair)] = shot.pixels[list(pair[::-1])]
+        touching = bones[np.isin(bones, pair).any(axis=1)]
+        shot.pen(shot.theme.preview, 1.2, style)
+        shot.pairs(exchanged[touching].reshape(-1, 2))
