@@ -267,6 +267,17 @@ def test_this_is_and_on_to_the_next(
     assert document.labels[point].startswith("*")
 
 
+def test_labels_that_were_learned_can_be_chosen(
+    workspace: Workspace, review: LabelReview, window: MainWindow
+) -> None:
+    unused = set(review.labels) - set(workspace.document.names)
+    assert unused
+    window.actions_by_id["this_is"].trigger()
+    (chooser,) = [each for each in workspace.findChildren(LabelChooser) if each.isVisible()]
+    assert unused < set(chooser.texts())
+    chooser.reject()
+
+
 def test_a_stretch_goes_to_the_point_of_its_label(
     workspace: Workspace, scrambled: Scrambled
 ) -> None:

@@ -15,8 +15,8 @@ class LabelChooser(Palette):
     ----------
     name : str
         What the point is called now.
-    free, taken : sequence of str
-        Labels that no other point has there, and those that one has.
+    free, taken, unused : sequence of str
+        Labels whose points are not seen there, those whose points are, and those without a point.
     take : callable
         Is told the label.
     parent : QWidget
@@ -28,11 +28,13 @@ class LabelChooser(Palette):
         name: str,
         free: Sequence[str],
         taken: Sequence[str],
+        unused: Sequence[str],
         take: Callable[[str], object],
         parent: QWidget,
     ) -> None:
         self._take = take
         places = [(label, self.tr("free here")) for label in free]
+        places += [(label, self.tr("no point has it yet")) for label in unused]
         places += [(label, self.tr("is seen here: the two are exchanged")) for label in taken]
         entries = [Entry(label, place, "", partial(take, label)) for label, place in places]
         super().__init__(entries, parent)

@@ -471,7 +471,9 @@ class Workspace(PanedWindow):
             return
         names, take = self.document.names, self.hand_labels.this_is
         free, taken = ([names[other] for other in some] for some in choices)
-        LabelChooser(names[marker], free, taken, take, self).open()
+        review = self.label_search.review
+        unused = [label for label in (review.labels if review else ()) if label not in names]
+        LabelChooser(names[marker], free, taken, unused, take, self).open()
 
     def ask_labels(self) -> None:
         """Ask which recordings labels are to be learned from; nothing waits for the answer."""
