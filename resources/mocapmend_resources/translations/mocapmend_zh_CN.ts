@@ -1288,6 +1288,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>no point has it yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is seen here: the two are exchanged</source>
         <translation type="unfinished"></translation>
     </message>
