@@ -72,16 +72,13 @@ class ReportFacts:
         assert isinstance(command, EditSamples)
         corrected = () if command.correction is None else command.correction.runs
         runs = {*(edit.gap for edit in command.edits), *corrected}
-        # What is smoothed keeps its fills.
-        filled = (
-            np.count_nonzero(edit.states == SampleState.FILLED)
-            for edit in command.edits
-            if edit.repair and edit.smoothed is None
-        )
+        # What is smoothed keeps its fills. All at once: of ten thousand one by one would be felt.
+        filled = [edit.states for edit in command.edits if edit.repair and edit.smoothed is None]
+        states = np.concatenate([np.empty(0, np.uint8), *filled])
         return EditRow(
             text=command.text(),
             markers=len({run.marker for run in runs}),
             runs=len(runs),
-            filled=int(sum(filled)),
+            filled=int(np.count_nonzero(states == SampleState.FILLED)),
             cleared=command.cleared,
         )
