@@ -61,27 +61,27 @@
     </message>
     <message>
         <source>Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名…</translation>
     </message>
     <message>
         <source>Exchange the names of the two selected markers</source>
-        <translation type="unfinished"></translation>
+        <translation>交换所选两个标记点的名称</translation>
     </message>
     <message>
         <source>This is…</source>
-        <translation type="unfinished"></translation>
+        <translation>这是…</translation>
     </message>
     <message>
         <source>Next point without a label</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个没有标签的点</translation>
     </message>
     <message>
         <source>Label from recordings…</source>
-        <translation type="unfinished"></translation>
+        <translation>按已标注的记录标注…</translation>
     </message>
     <message>
         <source>Apply the proposed labels</source>
-        <translation type="unfinished"></translation>
+        <translation>应用建议的标签</translation>
     </message>
     <message>
         <source>Next gap</source>
@@ -445,7 +445,7 @@
     </message>
     <message>
         <source>Go to the labels</source>
-        <translation type="unfinished"></translation>
+        <translation>转到标签</translation>
     </message>
     <message>
         <source>Next recording</source>
@@ -1177,19 +1177,19 @@
     <name>HandLabelActions</name>
     <message>
         <source>Select a marker first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择一个标记点。</translation>
     </message>
     <message>
         <source>{0} is called {1} now.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 现在叫 {1}。</translation>
     </message>
     <message>
         <source>Frames {0} to {1} of {2} are {3} now.</source>
-        <translation type="unfinished"></translation>
+        <translation>{2} 的第 {0} 至 {1} 帧现在是 {3}。</translation>
     </message>
     <message>
         <source>All points that are seen have labels.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有可见的点都有标签。</translation>
     </message>
 </context>
 <context>
@@ -1285,222 +1285,222 @@
     <name>LabelChooser</name>
     <message>
         <source>free here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处空闲</translation>
     </message>
     <message>
         <source>no point has it yet</source>
-        <translation type="unfinished"></translation>
+        <translation>还没有点用它</translation>
     </message>
     <message>
         <source>is seen here: the two are exchanged</source>
-        <translation type="unfinished"></translation>
+        <translation>此处可见：两者互换</translation>
     </message>
     <message>
         <source>{0} is…</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 是…</translation>
     </message>
     <message>
         <source>Type a label</source>
-        <translation type="unfinished"></translation>
+        <translation>输入标签</translation>
     </message>
     <message>
         <source>Which marker it is</source>
-        <translation type="unfinished"></translation>
+        <translation>它是哪个标记点</translation>
     </message>
     <message>
         <source>Enter gives the new label {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>按回车赋予新标签 {0}。</translation>
     </message>
 </context>
 <context>
     <name>LabelDialog</name>
     <message>
         <source>Label from recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>按已标注的记录标注</translation>
     </message>
     <message>
         <source>Choose labelled recordings of the same marker set, best of the same subject. Nothing is changed before you have looked at the proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择使用同一标记点方案的已标注记录，最好是同一受试者。在您查看建议之前，不会更改任何内容。</translation>
     </message>
     <message>
         <source>Labelled recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>已标注的记录</translation>
     </message>
     <message>
         <source>Keep the names that this recording has</source>
-        <translation type="unfinished"></translation>
+        <translation>保留此记录已有的名称</translation>
     </message>
     <message>
         <source>Off: label all points anew, also those that have names of the marker set</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭：重新标注所有点，包括已有方案中名称的点</translation>
     </message>
     <message>
         <source>Add…</source>
-        <translation type="unfinished"></translation>
+        <translation>添加…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Label</source>
-        <translation type="unfinished">名称</translation>
+        <translation>标注</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished">所有文件 (*)</translation>
+        <translation>所有文件 (*)</translation>
     </message>
 </context>
 <context>
     <name>LabelModel</name>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>当前</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>Proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>建议</translation>
     </message>
     <message>
         <source>Sure</source>
-        <translation type="unfinished"></translation>
+        <translation>把握</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>理由</translation>
     </message>
     <message>
         <source>no marker</source>
-        <translation type="unfinished"></translation>
+        <translation>不是标记点</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>已拒绝</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>已接受</translation>
     </message>
     <message>
         <source>sure enough</source>
-        <translation type="unfinished"></translation>
+        <translation>把握足够</translation>
     </message>
     <message>
         <source>too unsure to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>把握不足，不采用</translation>
     </message>
 </context>
 <context>
     <name>LabelPane</name>
     <message>
         <source>There is nothing to be labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可标注的内容。</translation>
     </message>
     <message>
         <source>Pieces labelled: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>已标注的片段：{0}。</translation>
     </message>
     <message>
         <source>Pieces labelled: {0}. Samples set aside, for want of a point: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>已标注的片段：{0}。因没有空闲的点而搁置的采样：{1}。</translation>
     </message>
     <message>
         <source>Label of this piece</source>
-        <translation type="unfinished"></translation>
+        <translation>此片段的标签</translation>
     </message>
     <message>
         <source>Another label for this piece; those that are free at that time come first</source>
-        <translation type="unfinished"></translation>
+        <translation>为此片段另选标签；当时空闲的排在前面</translation>
     </message>
     <message>
         <source>Accept (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>接受 (Enter)</translation>
     </message>
     <message>
         <source>Reject (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>拒绝 (Del)</translation>
     </message>
     <message>
         <source>Least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>最低把握</translation>
     </message>
     <message>
         <source>Labels that are less sure are not given, unless you accept them</source>
-        <translation type="unfinished"></translation>
+        <translation>把握更低的标签不会赋予，除非您接受</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished">应用</translation>
+        <translation>应用</translation>
     </message>
     <message>
         <source>Run again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新运行</translation>
     </message>
     <message>
         <source>Label from recordings…</source>
-        <translation type="unfinished"></translation>
+        <translation>按已标注的记录标注…</translation>
     </message>
     <message>
         <source>Labels for points that have none, or that are in pieces, can be learned from recordings of the same marker set.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有标签或断成片段的点，可以从同一标记点方案的记录中学习标签。</translation>
     </message>
     <message>
         <source>Labels are being looked for…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找标签…</translation>
     </message>
     <message>
         <source>All points have names that the labelled recordings have.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点的名称都是已标注记录中有的。</translation>
     </message>
     <message>
         <source>At least {0} % sure: {1} of {2} pieces get a label.</source>
-        <translation type="unfinished"></translation>
+        <translation>把握至少 {0} %：{2} 个片段中有 {1} 个获得标签。</translation>
     </message>
     <message>
         <source>Applied. Undo brings the proposals back.</source>
-        <translation type="unfinished"></translation>
+        <translation>已应用。撤销可恢复建议。</translation>
     </message>
     <message>
         <source>⚠ The recording was edited since: run it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ 记录此后被编辑过：请重新运行。</translation>
     </message>
     <message>
         <source>{0} (another piece has it)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (另一片段占用)</translation>
     </message>
     <message>
         <source>no marker</source>
-        <translation type="unfinished"></translation>
+        <translation>不是标记点</translation>
     </message>
 </context>
 <context>
     <name>LabelSearch</name>
     <message>
         <source>Labelling</source>
-        <translation type="unfinished"></translation>
+        <translation>标注</translation>
     </message>
     <message>
         <source>Labels are proposed for {0} pieces; nothing is changed yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>已为 {0} 个片段建议标签；尚未更改任何内容。</translation>
     </message>
     <message>
         <source>All points have names that the labelled recordings have.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点的名称都是已标注记录中有的。</translation>
     </message>
     <message>
         <source>Cancelled: no labels are proposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>已取消：没有建议标签。</translation>
     </message>
 </context>
 <context>
     <name>LabelTable</name>
     <message>
         <source>Proposed labels</source>
-        <translation type="unfinished"></translation>
+        <translation>建议的标签</translation>
     </message>
 </context>
 <context>
@@ -1638,7 +1638,7 @@
     </message>
     <message>
         <source>Nobody has said which marker this is.</source>
-        <translation type="unfinished"></translation>
+        <translation>还没有人说明这是哪个标记点。</translation>
     </message>
     <message>
         <source>{0}: never seen in this recording</source>
@@ -1768,11 +1768,11 @@
     </message>
     <message>
         <source>1 point without a label</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个点没有标签</translation>
     </message>
     <message>
         <source>{0} points without a label</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 个点没有标签</translation>
     </message>
     <message>
         <source>Markers</source>
@@ -3304,23 +3304,23 @@
     <name>RenamingActions</name>
     <message>
         <source>{0} is called {1} now.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 现在叫 {1}。</translation>
     </message>
     <message>
         <source>⚠ {0} is called {1} now, as another marker is.</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ {0} 现在叫 {1}，与另一个标记点同名。</translation>
     </message>
     <message>
         <source>Select the two markers whose names are to be exchanged, and no other.</source>
-        <translation type="unfinished"></translation>
+        <translation>请只选择要交换名称的两个标记点。</translation>
     </message>
     <message>
         <source>Both have the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>两者名称相同。</translation>
     </message>
     <message>
         <source>{0} and {1} have each other&apos;s name now.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 与 {1} 已交换名称。</translation>
     </message>
 </context>
 <context>
@@ -5690,119 +5690,119 @@
     </message>
     <message>
         <source>rename {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>将 {0} 重命名为 {1}</translation>
     </message>
     <message>
         <source>exchange the names of {0} and {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>交换 {0} 与 {1} 的名称</translation>
     </message>
     <message>
         <source>label {0} pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>标注 {0} 个片段</translation>
     </message>
     <message>
         <source>label {0} as {1}, frames {2} to {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>将 {0} 标注为 {1}，第 {2} 至 {3} 帧</translation>
     </message>
     <message>
         <source>It has this name already.</source>
-        <translation type="unfinished"></translation>
+        <translation>它已有此名称。</translation>
     </message>
     <message>
         <source>It has a name that the labelled recordings do not have, and is left alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>它的名称在已标注的记录中没有，保持不变。</translation>
     </message>
     <message>
         <source>It is {0} mm from where the other markers put {1}; no other label fits nearly as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>它距其他标记点推算的 {1} 位置 {0} mm；没有其他标签同样吻合。</translation>
     </message>
     <message>
         <source>It is {0} mm from where the other markers put {1}, but {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>它距其他标记点推算的 {1} 位置 {0} mm，但{2}。</translation>
     </message>
     <message>
         <source>Its distances to the other markers are those of {0}; no other label fits nearly as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>它到其他标记点的距离与 {0} 一致；没有其他标签同样吻合。</translation>
     </message>
     <message>
         <source>Its distances to the other markers are those of {0}, but {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>它到其他标记点的距离与 {0} 一致，但{1}。</translation>
     </message>
     <message>
         <source>it may as well be no marker at all</source>
-        <translation type="unfinished"></translation>
+        <translation>它也可能根本不是标记点</translation>
     </message>
     <message>
         <source>{0} fits nearly as well</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 也几乎同样吻合</translation>
     </message>
     <message>
         <source>left and right can hardly be told apart: with {0} labels in each other&apos;s place, and {1} here, the body fits nearly as well</source>
-        <translation type="unfinished"></translation>
+        <translation>左右几乎无法区分：{0} 个标签互换位置、此处为 {1} 时，身体也几乎同样吻合</translation>
     </message>
     <message>
         <source>by the shape of the body that was learned, it may be {0} throughout</source>
-        <translation type="unfinished"></translation>
+        <translation>按学到的身体形状，它可能始终是 {0}</translation>
     </message>
     <message>
         <source>the other pieces with this label fit better</source>
-        <translation type="unfinished"></translation>
+        <translation>带此标签的其他片段更吻合</translation>
     </message>
     <message>
         <source>Too few points are seen at once to tell which labels they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>同时可见的点太少，无法判断它们的标签。</translation>
     </message>
     <message>
         <source>It is where no label would be.</source>
-        <translation type="unfinished"></translation>
+        <translation>它所在的位置不属于任何标签。</translation>
     </message>
     <message>
         <source>It is most like {0}, but other points fit that better.</source>
-        <translation type="unfinished"></translation>
+        <translation>它最像 {0}，但其他点更吻合。</translation>
     </message>
     <message>
         <source>A marker needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>标记点需要名称。</translation>
     </message>
     <message>
         <source>Type one.</source>
-        <translation type="unfinished"></translation>
+        <translation>请输入一个。</translation>
     </message>
     <message>
         <source>A name must not have line breaks or other control characters.</source>
-        <translation type="unfinished"></translation>
+        <translation>名称不能包含换行或其他控制字符。</translation>
     </message>
     <message>
         <source>This name is too long: it takes {0} bytes, and a C3D file has room for {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>此名称太长：它占 {0} 字节，而 C3D 文件只容纳 {1} 字节。</translation>
     </message>
     <message>
         <source>The marker is not seen in the selected frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>该标记点在所选帧中不可见。</translation>
     </message>
     <message>
         <source>The marker is not seen in this frame: go to one in which it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>该标记点在此帧不可见：请转到它可见的帧。</translation>
     </message>
     <message>
         <source>The marker has this label already.</source>
-        <translation type="unfinished"></translation>
+        <translation>该标记点已有此标签。</translation>
     </message>
     <message>
         <source>No point has this label, and this one has another.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有点有此标签，而此点另有标签。</translation>
     </message>
     <message>
         <source>Rename the marker, or choose a label that a point has.</source>
-        <translation type="unfinished"></translation>
+        <translation>请重命名该标记点，或选择某个点已有的标签。</translation>
     </message>
     <message>
         <source>the recordings to learn from show {0} named markers; at least {1} are needed that are seen together</source>
-        <translation type="unfinished"></translation>
+        <translation>用于学习的记录有 {0} 个已命名的标记点；至少需要 {1} 个同时可见的</translation>
     </message>
     <message>
         <source>{0} of {1} points have no label. “Label from recordings…” in the Edit menu finds out which markers they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} 个点中有 {0} 个没有标签。“编辑”菜单中的“按已标注的记录标注…”可找出它们是哪些标记点。</translation>
     </message>
 </context>
 <context>
@@ -6595,11 +6595,11 @@
     </message>
     <message>
         <source>Select a marker first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择一个标记点。</translation>
     </message>
     <message>
         <source>Labels are being looked for already.</source>
-        <translation type="unfinished"></translation>
+        <translation>已在查找标签。</translation>
     </message>
     <message>
         <source>Analog</source>
@@ -6639,7 +6639,7 @@
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>标签</translation>
     </message>
     <message>
         <source>Smooth</source>
