@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from mocapmend import report, training, user_templates
+from mocapmend import label_templates, report, training, user_templates
 from mocapmend.changes import Changes as Changes
 from mocapmend.changes import changes_of as changes_of
 from mocapmend.changes import kept_gap as kept_gap
@@ -39,9 +39,8 @@ from mocapmend_algorithms.fill import registry
 from mocapmend_algorithms.fill.contract import FillResult, Unfilled
 from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
-from mocapmend_algorithms.labelling import Labelling, LabelModel, LabelParams
+from mocapmend_algorithms.labelling import Labelling, LabelParams
 from mocapmend_algorithms.labelling import label as propose_labels
-from mocapmend_algorithms.labelling.names import without_subject
 from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import (
@@ -318,36 +317,22 @@ def label(
     MocapmendError
         If nothing can be learned from the examples.
     """
-    known = match_template(examples[0].labels, skeletons.load()) if examples else None
-    segments = [
-        [without_subject(examples[0].labels[marker]) for marker in segment.markers]
-        for segment in (known.segments if known else ())
-    ]
-    try:
-        model = LabelModel.learn(examples, segments, part(progress, 0.0, 0.1))
-    except ValueError as error:
-        raise MocapmendError(
-            f"No labels can be learned: {error}.",
-            todo="Choose recordings whose markers are labelled.",
-        ) from error
+    model = label_templates.learn(examples, part(progress, 0.0, 0.1))
     return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
 
 
 def label_from(
     recording: Recording, paths: Sequence[Path], params: LabelParams, progress: Progress
 ) -> Labelling:
-    """Propose labels as `label` does, learned from files.
+    """Propose labels as `label` does, learned from files, or by the template that is the only one.
 
     Raises
     ------
     MocapmendError
         If one of them cannot be read, or nothing can be learned from them.
     """
-    examples = []
-    for number, path in enumerate(paths):
-        progress(0.1 * number / len(paths))
-        examples.append(read_recording(path).recording)
-    return label(recording, examples, params, part(progress, 0.1, 1.0))
+    model = label_templates.model_of(paths, part(progress, 0.0, 0.1))
+    return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
 
 
 @dataclass(frozen=True)

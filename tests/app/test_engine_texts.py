@@ -47,7 +47,10 @@ SPOKEN = (
     *sorted((ROOT / "app/mocapmend/journal").rglob("*.py")),
     *(
         ROOT / f"app/mocapmend/{name}.py"
-        for name in ("engine", "jobs", "plan", "recipe", "replaying", "training", "user_templates")
+        for name in (
+            *("engine", "jobs", "label_templates", "plan", "recipe", "replaying", "training"),
+            "user_templates",
+        )
     ),
     ROOT / "app/mocapmend/report/writing.py",
     ROOT / "app/mocapmend/views/recovery.py",

@@ -15,9 +15,10 @@ from mocapmend import engine
 from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
 from mocapmend.files import Source, check_ending, read_recording
+from mocapmend.label_templates import model_of, write_template
 from mocapmend.layers import Layers
 from mocapmend.relabelling import relabelled
-from mocapmend_algorithms.labelling import Labelled, Labelling, LabelParams
+from mocapmend_algorithms.labelling import Labelled, Labelling, LabelParams, label
 
 LEAST = 0.5
 UNSURE = 0.8
@@ -35,8 +36,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         required=True,
         type=Path,
         metavar="LABELLED",
-        help="labelled recordings of the same marker set, best of the same subject; may be given "
-        "several times",
+        help="labelled recordings of the same marker set, best of the same subject, or a template "
+        "that was learned from some",
+    )
+    parser.add_argument(
+        "--save-template",
+        type=Path,
+        metavar="FILE.json",
+        help="write down what was learned, to be given to --from in place of the recordings",
     )
     parser.add_argument(
         "--ignore-names", action="store_true", help="label points anew that have names"
@@ -63,18 +70,18 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     """Print the proposals, write what was asked for, and return the exit code."""
     out = None if arguments.output is None else target.choose(arguments)
     source = read_recording(arguments.file)
-    examples = [read_recording(path) for path in arguments.examples]
-    for read in (source, *examples):
-        common.show_warnings(read, console)
+    common.show_warnings(source, console)
     doubted = [name.strip() for word in arguments.doubt for name in word.split(",")]
     params = LabelParams(keep_names=not arguments.ignore_names, doubted=tuple(doubted))
     if out is not None:
         check_ending(source, out)
     console.start("Labelling")
     layers = Layers.of(source)
-    found = engine.label(
-        layers.recording, [example.recording for example in examples], params, console.progress
-    )
+    model = model_of(arguments.examples, console.progress)
+    if arguments.save_template is not None:
+        target.check_place(arguments.save_template, overwrite=arguments.overwrite)
+        write_template(model, arguments.save_template)
+    found = label(layers.recording, model, params, console.progress)
     exported = None
     if out is not None:
         console.start("Writing")
@@ -85,7 +92,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         **common.facts(source),
         **({"output": None} if exported is None else {"output": str(out)}),
         **({} if exported is None else common.written(exported)),
-        examples=[str(example.path) for example in examples],
+        examples=[str(path) for path in arguments.examples],
         labels=list(found.labels),
         scale=found.scale,
         pieces=[_as_json(source, found, proposal) for proposal in found.proposals],

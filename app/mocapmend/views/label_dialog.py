@@ -105,7 +105,14 @@ class LabelDialog(QDialog):
             self,
             self.tr("Labelled recordings"),
             self._settings.get(LAST_FOLDER),
-            ";;".join((all_kinds(), *kinds(), self.tr("All files (*)"))),
+            ";;".join(
+                (
+                    all_kinds(),
+                    *kinds(),
+                    self.tr("Templates of labels (*.json)"),
+                    self.tr("All files (*)"),
+                )
+            ),
         )
         self.add(map(Path, texts))
 

@@ -1347,6 +1347,10 @@
         <translation>标注</translation>
     </message>
     <message>
+        <source>Templates of labels (*.json)</source>
+        <translation>标签模板 (*.json)</translation>
+    </message>
+    <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
     </message>
@@ -4611,6 +4615,14 @@
     <message>
         <source>The size of “{0}” is not what its header says.</source>
         <translation>“{0}”的大小与其头部所述不符。</translation>
+    </message>
+    <message>
+        <source>This is not a template of labels.</source>
+        <translation>这不是标签模板。</translation>
+    </message>
+    <message>
+        <source>Choose a file that “mocapmend label --save-template” has written.</source>
+        <translation>请选择由“mocapmend label --save-template”写出的文件。</translation>
     </message>
     <message>
         <source>the marker is hidden throughout</source>

@@ -74,6 +74,32 @@ def test_the_labels_are_written(
     assert code == 0
 
 
+def test_a_template_does_it_too(
+    run_json: Json, nameless: tuple[Path, list[str]], walk: Path, tmp_path: Path
+) -> None:
+    path, _ = nameless
+    template = tmp_path / "set.json"
+    _, first = run_json("label", path, "--from", walk, "--save-template", template)
+    code, second = run_json("label", path, "--from", template)
+    assert code == 0
+    one, other = ([(p["point_index"], p["label"]) for p in of["pieces"]] for of in (first, second))
+    assert one == other
+    assert main(["label", str(path), "--from", str(walk), "--save-template", str(template)]) == 1
+
+
+@pytest.mark.parametrize("content", ["", "[]", "{}", '{"schema": 99, "labels": []}'])
+def test_what_is_no_template(
+    content: str,
+    nameless: tuple[Path, list[str]],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    template = tmp_path / "set.json"
+    template.write_text(content)
+    assert main(["label", str(nameless[0]), "--from", str(template)]) == 1
+    assert "This is not a template of labels." in capsys.readouterr().err
+
+
 def test_the_table_says_why(
     capsys: pytest.CaptureFixture[str], nameless: tuple[Path, list[str]], walk: Path
 ) -> None:

@@ -283,4 +283,8 @@ ERRORS = (
     QT_TRANSLATE_NOOP("Sentences", "The size of “{0}” is not what its header says."),
     QT_TRANSLATE_NOOP("Sentences", "No labels can be learned: {0}."),
     QT_TRANSLATE_NOOP("Sentences", "Choose recordings whose markers are labelled."),
+    QT_TRANSLATE_NOOP("Sentences", "This is not a template of labels."),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "Choose a file that “mocapmend label --save-template” has written."
+    ),
 )
