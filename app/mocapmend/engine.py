@@ -41,7 +41,6 @@ from mocapmend_algorithms.fill.hiding import fill_hiding
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.labelling import Labelling, LabelParams
 from mocapmend_algorithms.labelling import label as propose_labels
-from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import (
     Skeleton,
@@ -154,22 +153,6 @@ def _searched(recording: Recording, own: Sequence[Template], progress: Progress)
     if known.segments:
         return known
     return replace(known, segments=segments_from_distances(recording, progress))
-
-
-def problems(
-    recording: Recording,
-    skeleton: Skeleton,
-    ids: Sequence[str] | None,
-    progress: Progress,
-) -> list[BadRun]:
-    """Look for samples that are there but wrong; see `detect`.
-
-    Raises
-    ------
-    KeyError
-        If there is no detector of an id.
-    """
-    return detect(recording, skeleton, ids, progress)
 
 
 def fill(

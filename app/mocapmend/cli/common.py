@@ -3,7 +3,7 @@
 import argparse
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +14,10 @@ from mocapmend.files.sidecar import sidecar_path
 from mocapmend.wording import count as count
 from mocapmend.wording import span as span
 from mocapmend_algorithms import Gap, Recording
+
+if TYPE_CHECKING:
+    # Most commands need no detector.
+    from mocapmend_algorithms.problems import BadRun
 
 MOST_ROWS = 20
 """Of a table that people read."""
@@ -74,6 +78,19 @@ def place(recording: Recording, gap: Gap) -> dict[str, Any]:
         "marker_index": gap.marker,
         "first_frame": recording.first_frame + gap.start,
         "last_frame": recording.first_frame + gap.stop - 1,
+    }
+
+
+def bad_run(recording: Recording, run: "BadRun") -> dict[str, Any]:
+    """Return what was found wrong with a run, for JSON."""
+    return {
+        "kind": run.kind,
+        **place(recording, Gap(run.marker, run.start, run.stop)),
+        "score": run.score,
+        "deviation_mm": float(run.deviation * recording.mm),
+        "reason": run.reason,
+        "other": None if run.other is None else recording.labels[run.other],
+        "other_index": run.other,
     }
 
 

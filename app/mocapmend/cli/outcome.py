@@ -12,8 +12,6 @@ from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.engine import Exported
 from mocapmend.repair_outcome import Outcome
-from mocapmend_algorithms import Gap, Recording
-from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.smooth.contract import SmoothResult
 
 _NOTHING_WRITTEN: Mapping[str, Any] = dict.fromkeys(
@@ -46,7 +44,7 @@ def as_json(done: Outcome, files: Mapping[str, Path | None], *, samples: bool) -
             "max_gap_frames": done.limits.frames(done.method, recording.rate),
             "max_error_mm": done.limits.error_mm,
         },
-        "fixed": [bad_run(recording, run) for run in done.fixed],
+        "fixed": [common.bad_run(recording, run) for run in done.fixed],
         "smoothed": [] if done.smoothing is None else _smoothed(done, done.smoothing),
         "gaps": _gaps(done, samples=samples),
         "totals": {
@@ -67,20 +65,6 @@ def _as_written(done: Outcome, exported: Exported) -> dict[str, Any]:
         "methods_paragraph": methods.paragraph,
         "references": list(methods.references),
         **common.written(exported),
-    }
-
-
-def bad_run(recording: Recording, run: BadRun) -> dict[str, Any]:
-    """Return what was found wrong with a run, for JSON."""
-    known = run.deviation == run.deviation
-    return {
-        "kind": run.kind,
-        **common.place(recording, Gap(run.marker, run.start, run.stop)),
-        "score": run.score,
-        "deviation_mm": run.deviation * recording.mm if known else None,
-        "reason": run.reason,
-        "other": None if run.other is None else recording.labels[run.other],
-        "other_index": run.other,
     }
 
 

@@ -15,7 +15,7 @@ from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.files import Source, read_recording
 from mocapmend_algorithms import Gap, Recording
-from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.problems.registry import DETECTORS, detector, remedy
 from mocapmend_algorithms.progress import part
 
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     console.start("Looking for problems")
     skeleton = engine.find_skeleton(source, part(console.progress, 0.0, 0.1))
     looked = part(console.progress, 0.1, 1.0)
-    found = engine.problems(recording, skeleton, arguments.only, looked)
+    found = detect(recording, skeleton, arguments.only, looked)
     found.sort(key=lambda each: (-each.harm, each.marker, each.start))
     samples = _samples(recording, found)
     console.result(
@@ -79,16 +79,10 @@ def _as_json(source: Source, found: BadRun) -> dict[str, Any]:
     recording = source.measured
     run_of_frames = Gap(found.marker, found.start, found.stop)
     return {
-        "kind": found.kind,
-        **common.place(recording, run_of_frames),
-        "other": None if found.other is None else recording.labels[found.other],
-        "other_index": found.other,
+        **common.bad_run(recording, found),
         "length_frames": found.length,
         "length_ms": common.milliseconds(recording, run_of_frames),
-        "score": found.score,
-        "deviation_mm": float(found.deviation * recording.mm),
         "harm_mm_frames": float(found.deviation * found.length * recording.mm),
-        "reason": found.reason,
         "remedy": remedy(found),
     }
 
