@@ -290,24 +290,10 @@ def train_sparse(
     return made
 
 
-def label(
-    recording: Recording, examples: Sequence[Recording], params: LabelParams, progress: Progress
-) -> Labelling:
-    """Propose labels for a recording's points, learned from labelled recordings.
-
-    Raises
-    ------
-    MocapmendError
-        If nothing can be learned from the examples.
-    """
-    model = label_templates.learn(examples, part(progress, 0.0, 0.1))
-    return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
-
-
 def label_from(
     recording: Recording, paths: Sequence[Path], params: LabelParams, progress: Progress
 ) -> Labelling:
-    """Propose labels as `label` does, learned from files, or by the template that is the only one.
+    """Propose labels for a recording's points, learned from labelled recordings or by a template.
 
     Raises
     ------
