@@ -1,6 +1,6 @@
 """The measured samples of an open recording that are believed, while corrections change. No Qt."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -80,6 +80,11 @@ class Believed:
     def doubted(self) -> NDArray[np.bool_]:
         """Which samples are set aside, shape (frames, markers); not to be changed."""
         return self._doubted
+
+    def touched(self) -> Iterator[Gap]:
+        """Yield runs outside which all samples are as in the file; see `Layers.touched`."""
+        # No snapshot: of a long recording its copy would be felt.
+        return Layers(self._source, self._origins, self.doubts).touched()
 
     def stored(self, run: Gap) -> NDArray[np.float64]:
         """Return what was measured in a run, doubtful samples included, shape (frames, 3)."""

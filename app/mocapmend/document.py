@@ -273,8 +273,7 @@ class Document(QObject):
         if self.base is self.original:
             return self.share_original()
         if self._shared_base is None or self._shared_base[0] != self.base_revision:
-            layers = self._believed.layers
-            runs = {*self.source.repaired, *layers.touched()}
+            runs = set(self._believed.touched())
             self._shared_base = self.base_revision, self._shared_with(runs, self.base.points)
         return self._shared_base[1]
 
