@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from test_layers import FRAMES, MARKERS, SPIKE, SWAP, near, same, write
 
 from mocapmend import engine, recipe, replaying
+from mocapmend.beneath import beneath, share_beneath, without_smoothing
 from mocapmend.commands import EditSamples
 from mocapmend.correcting import step
 from mocapmend.document import NO_SKELETON, Document
@@ -63,9 +65,9 @@ def fill(document: Document, *gaps: Gap) -> None:
 
 def smooth(document: Document, *runs: Gap, method: str = "butterworth") -> None:
     params = SMOOTHERS[method].params()
-    shown = document.share_beneath().recording()
+    shown = share_beneath(document).recording()
     result = engine.smooth(shown, list(runs), method, params, no_progress)
-    push(document, Edit.smoothings(result, document.beneath))
+    push(document, Edit.smoothings(result, partial(beneath, document)))
 
 
 def held(document: Document) -> tuple[NDArray[np.float64], ...]:
@@ -196,7 +198,7 @@ def test_stretches_of_a_marker_are_smoothed_one_after_another(document: Document
     assert [edit.gap for edit in last(document).unsmoothed] == [Gap(1, 2, 18), Gap(1, 20, 38)]
     document.undo_stack.undo()
     assert equal(held(document), both)
-    off = [document.beneath(Gap(1, 2, 18))]
+    off = [beneath(document, Gap(1, 2, 18))]
     taken = EditSamples(document, off, "take smoothing off B")
     assert not taken.unsmoothed, "the one that is taken off is named once, the other one stays"
     document.undo_stack.push(taken)
@@ -213,7 +215,7 @@ def test_a_file_that_was_smoothed_and_is_smoothed_again_stays_so_without_that(
     before = held(again)
     for run in (Gap(1, 4, 36), Gap(1, 10, 40)):
         smooth(again, run)
-        off = again.without_smoothing(again.smoothed)
+        off = without_smoothing(again, again.smoothed)
         assert [edit.gap for edit in off] == [run]
         again.undo_stack.push(EditSamples(again, off, "take smoothing off B"))
         assert equal(held(again), before)
@@ -239,7 +241,7 @@ def test_a_smoothed_file_stays_so(tmp_path: Path, document: Document) -> None:
     again = opened(read_c3d(tmp_path / "out.c3d"))
     assert list(again.smoothed) == [Gap(1, 4, 36)]
     assert (again.state[4:36, 1] == SampleState.SMOOTHED).all()
-    assert again.without_smoothing([Gap(1, 0, FRAMES)]) == []
+    assert without_smoothing(again, [Gap(1, 0, FRAMES)]) == []
     unchanged = again.unsaved().changes()
     engine.export(again.source, unchanged, tmp_path / "same.c3d", False, False, no_progress)
     assert (tmp_path / "same.c3d").read_bytes() == (tmp_path / "out.c3d").read_bytes()

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from mocapmend import engine, replaying, unsaved
 from mocapmend.believed import Correction
+from mocapmend.beneath import beneath, share_beneath
 from mocapmend.commands import EditSamples
 from mocapmend.correcting import towards
 from mocapmend.document import Document
@@ -262,14 +263,16 @@ class ProofActions(QObject):
             if not self._is_as_it_was(workspace, revision):
                 return
             edits = [
-                edit for result in results for edit in Edit.smoothings(result, document.beneath)
+                edit
+                for result in results
+                for edit in Edit.smoothings(result, partial(beneath, document))
             ]
             workspace.push(edits, f"replay the smoothing of {path.name}")
             text = self.tr("{0} Stretches smoothed again: {1}.")
             self._window.say(text.format(told, len(edits)))
 
         title = self.tr("Replaying {0}").format(path.name)
-        shared = document.share_beneath()
+        shared = share_beneath(document)
         job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
         job.finished.connect(accept)
         job.failed.connect(self._window.show_error)
