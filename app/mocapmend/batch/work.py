@@ -79,6 +79,7 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
     """
     start = time.perf_counter()
     trace = ""
+    before = stamp_of(task.out)
     try:
         return _repaired(task, start, progress, began)
     except Cancelled:
@@ -86,7 +87,7 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
     except NothingToRepairError as error:
         seconds = time.perf_counter() - start
         row = Row(file=task.file, state="nothing", problem=Problem.of(error), seconds=seconds)
-        return Finished(row)
+        return Finished(row, untouched=True)
     except MocapmendError as error:
         problem = Problem.of(error)
     except MemoryError:
@@ -102,7 +103,8 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
             str(task.request.file),
             "The log file has the details: please report it.",
         )
-    return Finished(task.failed(problem, time.perf_counter() - start), trace=trace)
+    row = task.failed(problem, time.perf_counter() - start)
+    return Finished(row, untouched=stamp_of(task.out) == before, trace=trace)
 
 
 def _repaired(task: Task, start: float, progress: Progress, began: repairing.Began) -> Finished:
