@@ -132,17 +132,21 @@ class Outcome:
             earlier_program=provenance.program if provenance is not None else "",
             proof=() if self.exported is None else self.exported.sentences,
             edits=self._edits(),
-            put_right=self._put_right,
+            put_right=self.put_right,
         )
 
     @cached_property
-    def _put_right(self) -> PutRight:
+    def put_right(self) -> PutRight:
+        """What was set aside, exchanged and smoothed, by earlier repairs too."""
         found = Counter(run.kind for run in self.fixed if remedy(run) == "exchange")
         smoothed = (
             SmoothRow.of(run, one.method, one.parameters, one.chosen, one.rms_change_mm)
             for run, one in self.made.smoothed.items()
         )
-        return put_right(self.layers.set_aside, self.layers.moves, smoothed, found)
+        layers = self.layers
+        return put_right(
+            layers.set_aside, layers.moves, smoothed, found, moved_before=layers.source.moves
+        )
 
     @property
     def method_text(self) -> str:
@@ -173,7 +177,15 @@ class Outcome:
         """Return what a paper says about it."""
         no_bones = Skeleton("", (), "none")
         rows, unfilled = self.all_repairs, self.result.unfilled
-        figures = summarise(self.source.measured, self.after, no_bones, rows, unfilled, no_progress)
+        figures = summarise(
+            self.source.measured,
+            self.after,
+            no_bones,
+            rows,
+            unfilled,
+            no_progress,
+            self.put_right,
+        )
         return describe(figures, self.about)
 
     def _edits(self) -> tuple[EditRow, ...]:

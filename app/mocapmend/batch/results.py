@@ -92,8 +92,10 @@ class Figures:
     no_estimate : int
         Filled gaps whose error could not be estimated.
     tracked_before, tracked_after : float or None
-        Tracking success in %: the share of the markers that are there, mean over the frames;
-        None where no marker is ever seen.
+        Tracking success in %: the share of the markers that are there and not known to be wrong,
+        mean over the frames; None where no marker is ever seen.
+    wrong_before : float or None
+        Likewise the share of those that were there but wrong: set aside or exchanged since.
     fixed : tuple of Fixed
         Bad samples that were put right, by kind.
     smoothed : Smoothed or None
@@ -116,6 +118,7 @@ class Figures:
     worst_place: str = ""
     no_estimate: int = 0
     tracked_before: float | None = None
+    wrong_before: float | None = None
     tracked_after: float | None = None
     fixed: tuple[Fixed, ...] = ()
     smoothed: Smoothed | None = None

@@ -85,7 +85,9 @@ def _about(original: Source, repaired: Source) -> About:
         earlier=len(repaired.repairs),
         earlier_program=provenance.program if provenance is not None else "",
         proof=() if found is None else (found.sentence, *found.allowed, *found.other_differences),
-        put_right=put_right(repaired.set_aside, repaired.moves, smoothed),
+        put_right=put_right(
+            repaired.set_aside, repaired.moves, smoothed, moved_before=original.moves
+        ),
     )
 
 

@@ -161,9 +161,20 @@ def _methods(report: Report, about: About) -> Iterator[Part]:
 
 def _success(report: Report) -> Iterator[Part]:
     yield Text(
-        "Share of the markers that are present. Markers never seen in the recording do not count.",
+        "Share of the markers that are present and not known to be wrong. Markers never seen in "
+        "the recording do not count.",
         dim=True,
     )
+    if report.wrong_before:
+        samples = max(report.frames * len(report.labels), 1)
+        shares = (
+            tables.percent(100 * number / samples)
+            for number in (report.missing_before, report.wrong_before)
+        )
+        yield Text(
+            "Before, {} % of all samples were missing, and {} % were there but wrong: they are "
+            "set aside or exchanged since.".format(*shares)
+        )
     yield Figures(tuple(_curves(report, "markers (%)", None)))
     if report.segment_success is not None:
         yield Text(
@@ -193,7 +204,7 @@ def _bones(report: Report) -> Iterator[Part]:
     yield Text(
         f"Bones with the most repaired frames ({len(report.shown_bones)} of {len(report.bones)}). "
         "A bone is a pair of markers whose distance is nearly constant; a repair that bends its "
-        "curve is doubtful.",
+        "curve is doubtful. Smoothing alone does not count as a repair.",
         dim=True,
     )
     drawn = (

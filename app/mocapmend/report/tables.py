@@ -10,7 +10,7 @@ from mocapmend.report.put_right import PutRight
 from mocapmend_algorithms import Gap
 
 MOST_ROWS = 1000
-Align = Literal["name", "number", "text"]
+Align = Literal["name", "number", "text", "word"]
 
 
 @dataclass(frozen=True)

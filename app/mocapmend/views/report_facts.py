@@ -55,7 +55,8 @@ class ReportFacts:
             SmoothRow.of(run, made.method, made.params, made.chosen, made.rms * mm)
             for run, made in document.smoothed.items()
         )
-        return put_right(document.doubts, document.layers.moves, smoothed)
+        moves, before = document.layers.moves, document.source.moves
+        return put_right(document.doubts, moves, smoothed, moved_before=before)
 
     def edits(self) -> tuple[EditRow, ...]:
         """Return the steps that hold, those that were undone left out."""

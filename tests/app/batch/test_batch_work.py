@@ -5,8 +5,10 @@ import os
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from batch_trials import write_trial
+from c3d_synthetic import Synthetic, encode
 
 from mocapmend import repairing
 from mocapmend.batch.results import Figures, Problem, Reason, Row
@@ -60,6 +62,23 @@ class TestWork:
         assert finished.output.size == task.out.stat().st_size
         assert finished.input is not None
         assert Row.from_json(finished.row.as_json()) == finished.row
+
+    def test_what_was_wrong_was_not_tracked(self, tmp_path: Path) -> None:
+        points = np.full((120, 5, 3), 900.0) + np.arange(5).reshape(1, 5, 1) * 100.0
+        points += 100.0 * np.sin(np.arange(120) / 20.0)[:, None, None]
+        points[60, 1] += 300.0
+        path = tmp_path / "a.c3d"
+        path.write_bytes(encode(Synthetic(points)))
+        task = task_of(path, tmp_path / "out.c3d")
+        plan = replace(PLAN, fix=("spikes",))
+        figures = do(
+            replace(task, request=replace(task.request, plan=plan)), no_progress, ignore
+        ).row.figures
+        assert figures is not None
+        assert figures.samples_fixed == figures.samples_missing >= 1
+        share = 100 * figures.samples_fixed / 600
+        assert figures.wrong_before == pytest.approx(share)
+        assert figures.tracked_before == pytest.approx(100 - share)
 
     def test_what_goes_wrong_is_in_the_row(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
