@@ -11,7 +11,7 @@ from mocapmend.report.tables import MOST_ROWS, Column, Table, number, percent
 
 STATES = {
     "repaired": "repaired",
-    "unchanged": "repaired by an earlier run",
+    "unchanged": "repaired earlier",
     "nothing": "nothing to repair",
     "failed": "failed",
     "waiting": "not done yet",

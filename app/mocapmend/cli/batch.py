@@ -168,7 +168,7 @@ class _Watcher:
 
     def finished(self, task: Task, finished: Finished) -> None:
         """Say what has become of a file, where a line stays or something is wrong."""
-        self._tracker.finished(task)
+        self._tracker.finished(task, finished.row)
         if finished.row.problem is not None or not self._console.changes_lines:
             files = len(self._batch.tasks)
             self._console.note(end_text(finished, self._tracker.done, files))
