@@ -11,6 +11,7 @@ import numpy as np
 from mocapmend.changes import Repaired, earlier, filled, smoothed
 from mocapmend.engine import Exported
 from mocapmend.files import Source
+from mocapmend.fixing import exchanged_kinds
 from mocapmend.layers import Layers
 from mocapmend.prospects import Way
 from mocapmend.report import (
@@ -32,7 +33,7 @@ from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import Method
 from mocapmend_algorithms.problems import BadRun
-from mocapmend_algorithms.problems.registry import detector, remedy
+from mocapmend_algorithms.problems.registry import detector
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.smooth.contract import SmoothResult
 
@@ -138,14 +139,19 @@ class Outcome:
     @cached_property
     def put_right(self) -> PutRight:
         """What was set aside, exchanged and smoothed, by earlier repairs too."""
-        found = Counter(run.kind for run in self.fixed if remedy(run) == "exchange")
+        found = Counter(exchanged_kinds(self.fixed))
         smoothed = (
             SmoothRow.of(run, one.method, one.parameters, one.chosen, one.rms_change_mm)
             for run, one in self.made.smoothed.items()
         )
         layers = self.layers
         return put_right(
-            layers.set_aside, layers.moves, smoothed, found, moved_before=layers.source.moves
+            layers.set_aside,
+            layers.moves,
+            smoothed,
+            found,
+            moved_before=layers.source.moves,
+            renamed=self.made.renamed,
         )
 
     @property

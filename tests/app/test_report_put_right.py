@@ -8,6 +8,7 @@ import pytest
 from mocapmend import report
 from mocapmend.cli import main
 from mocapmend.doubts import BY_HAND, Doubt
+from mocapmend.files import Renamed
 from mocapmend.report import About, RepairRow, SmoothRow, describe, put_right
 from mocapmend.report.content import Text, contents
 from mocapmend.report.sources import SMOOTHING
@@ -162,6 +163,19 @@ def test_a_bone_is_not_repaired_by_smoothing() -> None:
     assert made.changed.sum(axis=0).tolist() == [5, 4]
     plain = report.summarise(one, other, bones, repairs, [], no_progress)
     assert plain.bone_repairs.tolist() == [50, 50]
+
+
+def test_renamed_markers_are_named() -> None:
+    renamed = [Renamed(n + 1, f"old {n}", f"new {n}") for n in range(8)]
+    done = put_right({}, [], [], renamed=renamed)
+    made = contents(figures(), About("w.c3d", put_right=done))
+    assert dict(made.head[0].rows)["Renamed"] == "8 markers"
+    (table,) = next(section.parts for section in made.sections if section.anchor == "names")
+    assert table.rows == tuple((f"old {n}", f"new {n}") for n in range(8))
+    paragraph = describe(figures(), About("w.c3d", put_right=done)).paragraph
+    assert "8 markers were renamed: old 0 to new 0, " in paragraph
+    assert "old 5 to new 5 and 2 more." in paragraph
+    assert "was examined with" in paragraph, "no sample is repaired by it"
 
 
 def test_every_smoothing_method_has_a_phrase_and_a_source() -> None:

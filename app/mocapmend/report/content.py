@@ -95,6 +95,7 @@ def contents(report: Report, about: About) -> Content:
         Section("bones", "Bone lengths", tuple(_bones(report))),
         Section("markers", "Markers", tuple(_markers(report))),
         Section("bad", "Bad samples", tuple(_bad(about.put_right))),
+        Section("names", "Renamed markers", tuple(_names(about.put_right))),
         Section("repairs", "Repairs", tuple(_repairs(report))),
         Section("open", "Gaps left open", tuple(_open(report))),
         Section("smoothing", "Smoothing", tuple(_smoothing(report, about.put_right))),
@@ -144,6 +145,8 @@ def _put_right(done: PutRight) -> Iterator[tuple[str, str]]:
     if done.smoothed:
         methods = ", ".join(dict.fromkeys(row.method for row in done.smoothed))
         yield "Smoothed", f"{_count(done.smoothed_markers, 'marker')} ({methods})"
+    if done.renamed:
+        yield "Renamed", _count(len(done.renamed), "marker")
 
 
 def _warnings(about: About) -> Iterator[Part]:
@@ -245,6 +248,11 @@ def _bad(done: PutRight) -> Iterator[Part]:
         yield tables.set_aside(done)
     if sentence := put_right_text.exchanged(done):
         yield Text(sentence)
+
+
+def _names(done: PutRight) -> Iterator[Part]:
+    if done.renamed:
+        yield tables.names(done)
 
 
 def _smoothing(report: Report, done: PutRight) -> Iterator[Part]:

@@ -67,6 +67,7 @@ def describe(report: Report, about: About) -> Methods:
         references += [r for r in (source.references if source else ()) if r not in references]
     sentences = (
         _facts(report, about),
+        put_right_text.renamed(about.put_right),
         put_right_text.exchanged(about.put_right),
         put_right_text.set_aside(about.put_right),
         _filled(report, about, used, references),

@@ -7,6 +7,7 @@ from typing import Any, Protocol, Self
 import numpy as np
 
 from mocapmend import wording
+from mocapmend.files import Renamed
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.corrections import Move, merged_runs
@@ -92,6 +93,8 @@ class PutRight:
         that is not known.
     smoothed : tuple of SmoothRow
         The smoothed runs, by marker and start.
+    renamed : tuple of (str, str)
+        The first and the present label of each marker that was renamed.
     bad : tuple of Gap
         Where the recording before holds what nobody shall believe: samples that are set aside,
         or that belong to another marker.
@@ -103,6 +106,7 @@ class PutRight:
     moved_markers: int = 0
     found_as: tuple[tuple[str, int], ...] = ()
     smoothed: tuple[SmoothRow, ...] = ()
+    renamed: tuple[tuple[str, str], ...] = ()
     bad: tuple[Gap, ...] = ()
 
     def __bool__(self) -> bool:
@@ -141,6 +145,7 @@ def put_right(
     found_as: Mapping[str, int] | None = None,
     *,
     moved_before: Iterable[Move] = (),
+    renamed: Iterable[Renamed] = (),
 ) -> PutRight:
     """Gather what was put right.
 
@@ -156,6 +161,8 @@ def put_right(
         See `PutRight`.
     moved_before : iterable of Move
         Which of that the recording before has had already.
+    renamed : iterable of Renamed
+        What is called otherwise.
     """
     of_problem: dict[str, list[Gap]] = {}
     for run, entry in set_aside.items():
@@ -171,5 +178,6 @@ def put_right(
         moved_markers=len({move.marker for move in moves}),
         found_as=tuple((found_as or {}).items()),
         smoothed=tuple(sorted(smoothed, key=lambda row: row.run)),
+        renamed=tuple((entry.former, entry.marker) for entry in renamed),
         bad=tuple(merged_runs([*set_aside, *(move.run for move in {*moves} ^ {*moved_before})])),
     )

@@ -44,6 +44,16 @@ def exchanged(done: PutRight) -> str:
     )
 
 
+def renamed(done: PutRight) -> str:
+    """Say which markers were renamed."""
+    if not done.renamed:
+        return ""
+    number = len(done.renamed)
+    pairs = ", ".join(f"{former} to {now}" for former, now in done.renamed[:MOST_NAMED])
+    more = f" and {number - MOST_NAMED} more" if number > MOST_NAMED else ""
+    return f"{count(number, 'marker')} {_was(number)} renamed: {pairs}{more}."
+
+
 def smoothed(report: Report, done: PutRight, references: list[str]) -> str:
     """Say what was smoothed and how; the work that it is taken from is added to the references."""
     alike: dict[tuple[object, ...], list[SmoothRow]] = {}

@@ -179,6 +179,16 @@ def set_aside(done: PutRight) -> Table:
     )
 
 
+def names(done: PutRight) -> Table:
+    """List the markers that were renamed."""
+    shown = done.renamed[:MOST_ROWS]
+    return Table(
+        (Column("Was called", "name"), Column("Is called", "name")),
+        shown,
+        _cut(len(done.renamed), len(shown), "first", "The repair record has all."),
+    )
+
+
 def smoothing(report: Report, done: PutRight) -> Table:
     """List the smoothed runs; where there are too many, those that were changed most."""
     shown = list(done.smoothed)
