@@ -286,7 +286,8 @@ def write_report(
         If the name says neither, or if it cannot be written.
     """
     report.check_report_ending(path)
-    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
+    done = about.put_right
+    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress, done)
     report.write_report(summary, about, path)
 
 
@@ -303,5 +304,6 @@ def report_figures(
 
     The lists of repairs and open gaps, which the window has, are left out: they may be long.
     """
-    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
+    done = about.put_right
+    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress, done)
     return replace(summary, repairs=(), open_gaps=()), report.describe(summary, about)

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -110,6 +111,20 @@ def test_an_exchange_takes_gaps_and_doubts_along(document: Document) -> None:
     expected = corrected(document.original, [Exchange(0, 2, 4, 12)], document.doubts)
     assert same(document.base.points, expected.points)
     assert same(document.points, expected.points)
+
+
+def test_the_journal_knows_which_detector_found_an_exchange(document: Document) -> None:
+    correct(document, exchanges=[SWAP], found_as=("swaps",))
+    command = document.undo_stack.command(0)
+    assert isinstance(command, EditSamples)
+    event, _ = encode(command.text(), command.edits, command.correction)
+    event = json.loads(json.dumps(event))
+    again = decode_correction(event, document.original)
+    assert again == command.correction
+    assert again is not None
+    assert again.found_as == ("swaps",)
+    del event["correction"]["found_as"]
+    assert decode_correction(event, document.original) == replace(again, found_as=())
 
 
 def test_a_protected_gap_that_is_exchanged_is_a_gap_again(document: Document) -> None:
@@ -308,6 +323,7 @@ def test_whatever_is_done(tmp_path: Path, done: list[Callable[[Document], None]]
         event = json.loads(json.dumps(event))
         text, edits = decode(event, data, again.original)
         correction = decode_correction(event, again.original)
+        assert correction == command.correction
         labels = decode_labels(event, again.original)
         again.undo_stack.push(EditSamples(again, edits, text, correction, labels))
     assert again.labels == document.labels

@@ -12,7 +12,7 @@ from mocapmend.commands import EditSamples
 from mocapmend.correcting import Step, step
 from mocapmend.document import Document
 from mocapmend.doubts import BY_HAND, Doubt, overlapping
-from mocapmend.fixing import find, is_fixable, remedies
+from mocapmend.fixing import exchanged_kinds, find, is_fixable, remedies
 from mocapmend.jobs import Job, Jobs
 from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.filling import Filling
@@ -153,7 +153,8 @@ class BadActions(QObject):
         runs = [run for run in found if not self._search.suspects.is_dismissed(run)]
         if runs:
             exchanges, aside = remedies(runs)
-            made = step(self._document, exchanges=exchanges, set_aside=aside)
+            kinds = exchanged_kinds(runs)
+            made = step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds)
             text = f"fix {len(runs)} problems"
             self._do(EditSamples(self._document, made.edits, text, made.correction))
         then()
@@ -239,7 +240,8 @@ class BadActions(QObject):
             self.message.emit(told)
             return
         exchanges, aside = remedies(runs)
-        self._make(step(self._document, exchanges=exchanges, set_aside=aside), text)
+        kinds = exchanged_kinds(runs)
+        self._make(step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds), text)
         told = self.tr("Problems fixed: {0}. Samples set aside are gaps now, to be filled.")
         if not aside:
             told = self.tr("Problems fixed: {0}.")

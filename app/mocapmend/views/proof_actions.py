@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
 
-from mocapmend import engine, replaying, unsaved
+from mocapmend import engine, recipe_plan, replaying, unsaved
 from mocapmend.believed import Correction
 from mocapmend.beneath import beneath, share_beneath
 from mocapmend.commands import EditSamples
@@ -81,7 +81,7 @@ class ProofActions(QObject):
         title = self.tr("Replaying {0}").format(path.name)
         source, begun = workspace.document.source, workspace.document.revision
 
-        def compute(prepared: tuple[replaying.Plan, bool]) -> None:
+        def compute(prepared: tuple[recipe_plan.Planned, bool]) -> None:
             if not self._is_as_it_was(workspace, begun):
                 return
             corrected = self._correct(workspace, path, prepared[0])
@@ -95,7 +95,7 @@ class ProofActions(QObject):
             )
             job.failed.connect(self._window.show_error)
 
-        job = self._window.jobs.read_or_write(title, replaying.prepare, source, path)
+        job = self._window.jobs.read_or_write(title, recipe_plan.prepare, source, path)
         job.finished.connect(compute)
         job.failed.connect(self._window.show_error)
 
@@ -191,7 +191,7 @@ class ProofActions(QObject):
         workspace: "Workspace",
         revision: int,
         path: Path,
-        prepared: tuple[replaying.Plan, bool],
+        prepared: tuple[recipe_plan.Planned, bool],
         results: list[FillResult],
         corrected: int,
     ) -> None:
@@ -229,7 +229,7 @@ class ProofActions(QObject):
         return True
 
     @staticmethod
-    def _correct(workspace: "Workspace", path: Path, planned: replaying.Plan) -> int:
+    def _correct(workspace: "Workspace", path: Path, planned: recipe_plan.Planned) -> int:
         """Make the corrections of a recipe; return how many there were.
 
         A recipe without any leaves those that the user has made.
@@ -253,7 +253,7 @@ class ProofActions(QObject):
         self,
         workspace: "Workspace",
         path: Path,
-        jobs: tuple[replaying.SmoothJob, ...],
+        jobs: tuple[recipe_plan.SmoothJob, ...],
         told: str,
     ) -> None:
         """Smooth what a recipe smooths, now that its other edits are made."""

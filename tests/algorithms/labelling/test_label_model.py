@@ -39,6 +39,23 @@ def test_another_document_is_refused(text):
             LabelModel.from_json(json.dumps(document | {key: value}))
 
 
+@pytest.mark.parametrize(
+    ("key", "place", "value"),
+    [
+        ("shapes", (1, 0, 0), -1e308), ("poses", (0, 0, 1), None), ("length", (0, 1), -5.0),
+        ("spread", (0, 1), -0.1), ("wander", (2,), -1.0), ("length", (0, 1), 1e30),
+    ],
+)  # fmt: skip
+def test_a_document_that_was_damaged_is_refused(key, place, value):
+    document = json.loads(LabelModel.learn([body(20)]).to_json())
+    inner = document[key]
+    for index in place[:-1]:
+        inner = inner[index]
+    inner[place[-1]] = value
+    with pytest.raises(ValueError, match=f"^{key} has"):
+        LabelModel.from_json(json.dumps(document))
+
+
 def test_distances_are_those_of_the_body_in_mm():
     trial = body(noise=0.0)
     model = LabelModel.learn([replace(trial, points=trial.points / 1000.0, unit="m")])
