@@ -86,24 +86,20 @@ def _coincidences(
     axis = int(np.argmax(_extent(recording)))
     for start in range(0, recording.frames, CHUNK):
         progress(start / recording.frames)
-        some = recording.points[start : start + CHUNK] * recording.mm
+        some = recording.points[start : start + CHUNK]
         order = np.argsort(some[:, :, axis], axis=1)
-        ranked = np.take_along_axis(some, order[:, :, None], axis=1)
+        ranked = np.take_along_axis(some[:, :, axis], order, axis=1) * recording.mm
         for ahead in range(1, min(NEXT, recording.markers - 1) + 1):
-            with np.errstate(invalid="ignore"):
-                close = ranked[:, ahead:, axis] - ranked[:, :-ahead, axis] < within
-            frame, at = np.nonzero(close)
-            apart = ranked[frame, at + ahead] - ranked[frame, at]
-            near = np.einsum("nk,nk->n", apart, apart) < within**2
-            frame, at = frame[near], at[near]
+            frame, at = np.nonzero(ranked[:, ahead:] - ranked[:, :-ahead] < within)
             pair = np.sort(np.stack((order[frame, at], order[frame, at + ahead])), axis=0)
-            hits.append(np.column_stack((pair.T, frame + start)))
+            apart = (some[frame, pair[1]] - some[frame, pair[0]]) * recording.mm
+            near = np.einsum("nk,nk->n", apart, apart) < within**2
+            hits.append(np.column_stack((pair.T, frame + start))[near])
     every = np.concatenate(hits)
-    pairs = {(int(a), int(b)) for a, b, _ in every}
-    return {
-        pair: np.sort(every[(every[:, 0] == pair[0]) & (every[:, 1] == pair[1]), 2])
-        for pair in pairs
-    }
+    every = every[np.lexsort(every.T[::-1])]
+    pairs, first = np.unique(every[:, :2], axis=0, return_index=True)
+    frames = np.split(every[:, 2], first[1:])
+    return {(a, b): own for (a, b), own in zip(pairs.tolist(), frames, strict=bool(len(pairs)))}
 
 
 def _extent(recording: Recording) -> FloatArray:
