@@ -203,3 +203,11 @@ def test_two_names_of_one_point_are_left_alone():
     double = np.concatenate((clean.points, clean.points[:, :1] + 0.5), axis=1)
     recording = replace(clean, points=double, labels=(*clean.labels, "TWIN"))
     assert not found_by("reflections", recording)
+
+
+def test_points_that_are_hardly_ever_seen_together_are_left_alone():
+    def corrupt(points):
+        points[:3000, 9] = points[3100:, 9] = NAN
+        points[3000:3020, 9] = points[3000:3020, 6] + 1.0
+
+    assert not found_by("reflections", changed(body(60.0), corrupt))
