@@ -90,13 +90,13 @@ def bone_breaks(
         if not each.markers:
             continue
         away = _excursions(recording, marker, each, params)
-        wrong = share[:, marker] > MOST_BROKEN
+        wrong = share[marker] > MOST_BROKEN
         # Where a mate is even worse off, that is the one that is wrong.
-        wrong &= share[:, marker] >= share[:, each.markers].max(axis=1)
+        wrong &= share[marker] >= share[each.markers].max(axis=0)
         for run in away:
             wrong[run.start : run.stop] = False
         found += sorted(
-            away + _runs_of(recording, marker, wrong, size[:, marker]), key=lambda run: run.start
+            away + _runs_of(recording, marker, wrong, size[marker]), key=lambda run: run.start
         )
     progress(1.0)
     return found
@@ -108,17 +108,24 @@ def _broken(
     params: BoneBreaksParams,
     progress: Progress,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the share of each marker's distances that are broken, and the largest break."""
-    share, size = np.zeros((2, recording.frames, recording.markers))
+    """Measure how broken each marker is.
+
+    Returns
+    -------
+    share : ndarray, shape (markers, frames)
+        Of its distances, those that are broken.
+    size : ndarray, shape (markers, frames)
+        The largest break, in mm.
+    """
+    share, size = np.zeros((2, recording.markers, recording.frames))
     for marker, each in enumerate(mates):
         progress(marker / recording.markers)
         if len(each.markers) < 2:
             continue
         stretch = stretched(recording, marker, each)
         gate = np.maximum(params.least_mm, params.times_spread * each.spread)
-        part_broken, known = broken_share(stretch, gate)
-        share[:, marker] = np.where(known, part_broken, 0.0)
-        size[:, marker] = np.where(np.isnan(stretch), 0.0, np.abs(stretch)).max(axis=1)
+        share[marker] = broken_share(stretch, gate)
+        size[marker] = np.fmax.reduce(np.abs(stretch), axis=0, initial=0.0)
     return share, size
 
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import PairDistances, Skeleton
 
@@ -92,23 +92,35 @@ def _measured(
 
 
 def stretched(recording: Recording, marker: int, mates: RigidMates) -> FloatArray:
-    """Return by how much each distance is longer than usual in mm, shape (frames, mates).
+    """Return by how much each distance is longer than usual in mm, shape (mates, frames).
 
     NaN where one of the two is missing.
     """
     own = recording.points[:, marker] * recording.mm
-    stretch = np.empty((recording.frames, len(mates.markers)))
+    stretch = np.empty((len(mates.markers), recording.frames))
     for at, mate in enumerate(mates.markers):
         apart = recording.points[:, mate] * recording.mm - own
-        stretch[:, at] = np.sqrt(np.einsum("tk,tk->t", apart, apart)) - mates.length[at]
+        stretch[at] = np.sqrt(np.einsum("tk,tk->t", apart, apart)) - mates.length[at]
     return stretch
 
 
-def broken_share(stretch: FloatArray, gate: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Return the share of the known distances beyond their gates, and where two are known."""
-    known = ~np.isnan(stretch)
+def broken_share(stretch: FloatArray, gate: FloatArray) -> FloatArray:
+    """Return the share of the known distances beyond their gates; 0 where fewer than two are known.
+
+    Parameters
+    ----------
+    stretch : ndarray, shape (mates, frames)
+        See `stretched`.
+    gate : ndarray, shape (mates,)
+        In mm.
+
+    Returns
+    -------
+    ndarray, shape (frames,)
+    """
     with np.errstate(invalid="ignore"):
-        broken = np.abs(stretch) > gate
-    count = known.sum(axis=1)
-    share: FloatArray = broken.sum(axis=1) / np.maximum(count, 1)
-    return share, count >= 2
+        broken = np.abs(stretch) > gate[:, None]
+    count = (~np.isnan(stretch)).sum(axis=0)
+    share: FloatArray = broken.sum(axis=0) / np.maximum(count, 1)
+    share[count < 2] = 0.0
+    return share
