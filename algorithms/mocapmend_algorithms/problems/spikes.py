@@ -151,6 +151,8 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
             certain = (ratio >= CERTAIN) & (fits.away >= CERTAIN_MM)
             good &= certain | _sharp(step, first, length, fits)
+        if not good.any():
+            continue
         times = np.where(certain, VERY_UNUSUAL, UNUSUAL)[good]
         good[good] = fits.away[good] >= times * usual_away(points, first[good], length)
         candidates += [

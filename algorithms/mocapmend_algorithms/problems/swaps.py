@@ -108,9 +108,10 @@ def _likeliest(runs: Sequence[BadRun], shape: tuple[int, ...]) -> list[BadRun]:
     taken = np.zeros(shape, dtype=np.bool_)
     kept = []
     for run in sorted(runs, key=lambda run: (-run.score, -run.length, run.marker, run.start)):
-        both = taken[run.start : run.stop, [run.marker, run.other]]
-        if not both.any():
-            taken[run.start : run.stop, [run.marker, run.other]] = True
+        assert run.other is not None
+        pair = [run.marker, run.other]
+        if not taken[run.start : run.stop, pair].any():
+            taken[run.start : run.stop, pair] = True
             kept.append(run)
     return kept
 
