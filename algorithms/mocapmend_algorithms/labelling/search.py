@@ -1,11 +1,12 @@
 """The search for the labels of all pieces.
 
-As in Holzreiter 2005 (Clinical Biomechanics 20:1-8) and Clouthier, Ross, Mavor, Coll, Boyle, Graham
-2021 (IEEE Access 9:36664-36675), single frames are labelled and the verdict is the whole
-trajectory's; as in Ghorbani, Etemad, Troje 2019 (Computer Graphics International, LNCS 11542:167)
-the labels of a frame exclude each other, and time corrects what a frame alone gets wrong. In place
-of a trained network there is a labelled recording: its poses give the first labels, and its
-distances, which are those of rigid segments above all, the final ones.
+As in Ghorbani, Etemad, Troje 2019 (Auto-labelling of markers in optical motion capture by
+permutation learning, arXiv:1907.13580), the labels of a frame exclude each other, and time corrects
+what a frame alone gets wrong: here, a piece of a trajectory has one label. As in Clouthier, Ross,
+Mavor, Coll, Boyle, Graham 2021 (IEEE Access, doi:10.1109/ACCESS.2021.3062748), the Hungarian
+algorithm assigns them. In place of their trained networks, and that of Holzreiter 2005 (Clinical
+Biomechanics, doi:10.1016/j.clinbiomech.2004.04.006), there is a labelled recording: its poses give
+the first labels, and its distances, which are those of rigid segments above all, the final ones.
 """
 
 from collections.abc import Callable, Sequence
