@@ -10,7 +10,8 @@ B-spline of twice the order at whole numbers),
 
     y - s = p Q (R + p Q'Q)^-1 Q' y
 
-(Green and Silverman 1994, Nonparametric Regression and Generalized Linear Models, for cubics). Everything is banded, so the work grows with the number of samples alone.
+(Green and Silverman 1994, Nonparametric Regression and Generalized Linear Models, for cubics).
+Everything is banded, so the work grows with the number of samples alone.
 `fill.woltring` has the quintic spline for a few knots at any distance.
 
 The same curve is what a Kalman smoother makes of an m times integrated random walk that is seen
