@@ -7,8 +7,8 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, evenly
 from mocapmend_algorithms.labelling.around import COMPANIONS, Companions, companions, frames_around
 from mocapmend_algorithms.labelling.model import LabelModel
-from mocapmend_algorithms.labelling.names import points_by_name
 from mocapmend_algorithms.labelling.upright import upright
+from mocapmend_algorithms.names import points_by_name
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton.distances import PairDistances

@@ -4,7 +4,6 @@ A piece fits into a gap of a marker: its distances to the neighbours are those o
 it goes on where the marker was lost.
 """
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -13,6 +12,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.names import is_unlabelled
 from mocapmend_algorithms.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
 from mocapmend_algorithms.problems.distances import distances_of
@@ -22,10 +22,6 @@ from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
-UNLABELLED = re.compile(
-    r"(\*.*|\s*|(unlabell?ed|unidentified|uname|u_|new)[\W_]*\d*)", re.IGNORECASE
-)
-"""As Vicon, Qualisys, OptiTrack and Motion Analysis name points that nobody has named."""
 MOST_OVERLAP = 0.1
 """Of a piece: the frames in which the marker is seen elsewhere."""
 LOOKED_AT = 16
@@ -58,11 +54,6 @@ class _Candidate(NamedTuple):
     marker: int
 
 
-def is_unlabelled(label: str) -> bool:
-    """Whether a label is what a program calls a point that nobody has named."""
-    return UNLABELLED.fullmatch(label.rpartition(":")[2]) is not None
-
-
 def fragments(
     recording: Recording, skeleton: Skeleton, params: FragmentsParams, progress: Progress
 ) -> list[BadRun]:
@@ -86,7 +77,7 @@ def fragments(
         ghost. How far a piece is from the truth is not known.
     """
     pieces = _pieces_of(recording)
-    named = [m for m in range(recording.markers) if m not in pieces]
+    named = [m for m in np.flatnonzero(recording.present.any(axis=0)).tolist() if m not in pieces]
     progress(0.0)
     if not 0 < len(pieces) <= MOST_UNNAMED * recording.markers <= MOST_UNNAMED * MOST_MARKERS:
         return []
@@ -132,7 +123,7 @@ def _ranked(
     frames = np.unique(np.linspace(start, stop - 1, LOOKED_AT).round().astype(np.int64))
     candidates = []
     for marker, each in mates.items():
-        if share[marker] > MOST_OVERLAP or not recording.present[:, marker].any():
+        if share[marker] > MOST_OVERLAP:
             continue
         off = _off(recording, each, recording.points[frames, piece], frames)
         carried = [

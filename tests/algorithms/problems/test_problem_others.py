@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from bodies import body, changed, found_by, spans
 
-from mocapmend_algorithms.problems.fragments import is_unlabelled
+from mocapmend_algorithms.names import is_unlabelled
 
 NAN = np.nan
 
