@@ -8,7 +8,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import (
     RigidMates,
@@ -184,7 +184,7 @@ def _described(
     recording: Recording, marker: int, start: int, stop: int, size: FloatArray
 ) -> BadRun:
     away = float(np.median(size))
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     return BadRun(
         kind="bone-breaks",
         marker=marker,

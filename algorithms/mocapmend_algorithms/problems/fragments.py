@@ -14,7 +14,7 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.names import is_unlabelled
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import RigidMates, rigid_mates
 from mocapmend_algorithms.progress import Progress, part
@@ -169,7 +169,7 @@ def _described(
 ) -> BadRun:
     margin = ranked[1].off - ranked[0].off if len(ranked) > 1 else MOST_OFF
     fits = bool(ranked) and ranked[0].off <= MOST_OFF and margin >= CLEARLY
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     if not fits:
         sure = min(ranked[0].off / MOST_OFF, 2.0) / 2.0 if ranked else 1.0
         reason = f"It is seen for {frames} and {_why_not(recording, ranked)}."

@@ -9,7 +9,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import RigidMates, rigid_mates
 from mocapmend_algorithms.progress import Progress, part
@@ -164,8 +164,7 @@ def _misfit(
 def _described(
     recording: Recording, wrong: int, other: int, run: slice, usual: float, surer: float
 ) -> BadRun:
-    count = run.stop - run.start
-    frames = "1 frame" if count == 1 else f"{count} frames"
+    frames = frames_in_words(run.stop - run.start)
     return BadRun(
         kind="reflections",
         marker=wrong,

@@ -14,7 +14,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.blocks import SIDE, Fits, block_offsets, fit_blocks, usual_away
 from mocapmend_algorithms.problems.levels import running_level
 from mocapmend_algorithms.problems.mates import common_offset, mates_of
@@ -259,7 +259,7 @@ def _stands_out(
 
 
 def _described(recording: Recording, marker: int, spike: _Found, params: SpikesParams) -> BadRun:
-    frames = "1 frame" if spike.length == 1 else f"{spike.length} frames"
+    frames = frames_in_words(spike.length)
     return BadRun(
         kind="spikes",
         marker=marker,

@@ -14,7 +14,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.crossings import Crossing, find_crossings, find_jumps
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.likeness import Likeness
@@ -235,7 +235,7 @@ def _described(
     known = length[~np.isnan(length)]
     away = float(np.median(known)) if known.size else distances.length[pair] / recording.mm
     labels = recording.labels
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     return BadRun(
         kind="swaps",
         marker=pair[0],
