@@ -99,7 +99,8 @@ def spikes(
     Returns
     -------
     list of BadRun
-        Ordered by marker and start.
+        Ordered by marker and start. There are two samples or more on either side of each: of the
+        first and the last two samples of a recording, large errors are broken bones.
     """
     del skeleton
     longest = max(LEAST_LONGEST, round(params.longest_ms * recording.rate / 1000))

@@ -76,6 +76,20 @@ def test_an_end_that_bends_away_is_found(unit, after):
     assert ("after" if after else "before") in run.reason
 
 
+def test_many_ends_are_told_apart():
+    bend = np.outer([10.0, 20.0, 30.0, 40.0], [0.6, 0.0, 0.8])
+
+    def corrupt(points):
+        for marker in range(15):
+            # Pieces of many lengths: those after the gap are 40 frames long, and more.
+            start = 640 - 37 * marker
+            points[start : start + 40 - marker, marker] = NAN
+            points[start - 4 : start, marker] += bend
+
+    runs = found_by("tails", changed(body(), corrupt))
+    assert spans(runs) == [(m, 636 - 37 * m, 640 - 37 * m) for m in range(15)]
+
+
 @pytest.mark.parametrize("speed", [1.0, 3.0])
 def test_ends_that_go_on_are_not_ragged(speed):
     def gaps(points):
