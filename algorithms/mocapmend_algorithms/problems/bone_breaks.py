@@ -22,6 +22,8 @@ from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
+CHUNK = 2048
+"""Frames that are looked at at once."""
 MOST_BROKEN = 0.6
 """Of the distances of a marker: where more are broken, it is this marker that is wrong."""
 LARGEST_SHARE = 0.2
@@ -70,7 +72,7 @@ def bone_breaks(
     params : BoneBreaksParams
         The thresholds.
     progress : Progress
-        Called once per marker.
+        Called often.
 
     Returns
     -------
@@ -118,14 +120,17 @@ def _broken(
         The largest break, in mm.
     """
     share, size = np.zeros((2, recording.markers, recording.frames))
-    for marker, each in enumerate(mates):
-        progress(marker / recording.markers)
-        if len(each.markers) < 2:
-            continue
-        stretch = stretched(recording, marker, each)
-        gate = np.maximum(params.least_mm, params.times_spread * each.spread)
-        share[marker] = broken_share(stretch, gate)
-        size[marker] = np.fmax.reduce(np.abs(stretch), axis=0, initial=0.0)
+    for start in range(0, recording.frames, CHUNK):
+        progress(start / recording.frames)
+        some = slice(start, start + CHUNK)
+        paths = np.ascontiguousarray(recording.points[some].transpose(1, 2, 0)) * recording.mm
+        for marker, each in enumerate(mates):
+            if len(each.markers) < 2:
+                continue
+            stretch = stretched(paths, marker, each)
+            gate = np.maximum(params.least_mm, params.times_spread * each.spread)
+            share[marker, some] = broken_share(stretch, gate)
+            size[marker, some] = np.fmax.reduce(np.abs(stretch), axis=0, initial=0.0)
     return share, size
 
 

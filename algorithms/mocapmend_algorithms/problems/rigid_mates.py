@@ -91,17 +91,26 @@ def _measured(
     return middle, (high - low) / QUARTILES_IN_SD
 
 
-def stretched(recording: Recording, marker: int, mates: RigidMates) -> FloatArray:
-    """Return by how much each distance is longer than usual in mm, shape (mates, frames).
+def stretched(paths: FloatArray, marker: int, mates: RigidMates) -> FloatArray:
+    """Measure by how much each distance of a marker is longer than usual.
 
-    NaN where one of the two is missing.
+    Parameters
+    ----------
+    paths : ndarray, shape (markers, 3, frames)
+        Of all markers, in mm.
+    marker : int
+        The marker.
+    mates : RigidMates
+        Its mates.
+
+    Returns
+    -------
+    ndarray, shape (mates, frames)
+        In mm; NaN where one of the two is missing.
     """
-    own = recording.points[:, marker] * recording.mm
-    stretch = np.empty((len(mates.markers), recording.frames))
-    for at, mate in enumerate(mates.markers):
-        apart = recording.points[:, mate] * recording.mm - own
-        stretch[at] = np.sqrt(np.einsum("tk,tk->t", apart, apart)) - mates.length[at]
-    return stretch
+    apart = paths[mates.markers] - paths[marker]
+    length: FloatArray = np.sqrt(np.einsum("mkt,mkt->mt", apart, apart))
+    return length - mates.length[:, None]
 
 
 def broken_share(stretch: FloatArray, gate: FloatArray) -> FloatArray:
