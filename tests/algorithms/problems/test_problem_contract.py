@@ -155,6 +155,13 @@ def test_detectors_that_were_not_asked_for_say_nothing():
     assert {run.kind for run in runs} == {"frozen", "far"}
 
 
+def test_parameters_go_to_the_detector_that_they_are_of():
+    recording = wrecked()
+    params = {"far": detector("far").params(least_mm=20_000.0)}
+    runs = detect(recording, NOTHING, ["frozen", "far"], no_progress, params=params)
+    assert {run.kind for run in runs} == {"frozen"}
+
+
 def test_the_distances_are_measured_once_and_forgotten_with_the_recording():
     recording, told = body(1.0), []
     first = distances_of(recording, told.append)
