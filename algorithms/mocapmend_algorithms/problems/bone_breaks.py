@@ -145,7 +145,7 @@ def _excursions(
         if piece.stop - piece.start < SHORTEST:
             continue
         frames = np.array([piece.start - 1, piece.start, piece.stop - 1, piece.stop])
-        around = recording.points[frames][:, mates.markers] * recording.mm
+        around = recording.points[frames[:, None], mates.markers] * recording.mm
         apart = around - points[frames, None]
         before, first, last, after = np.sqrt(np.einsum("tmk,tmk->tm", apart, apart))
         there, back = first - before, after - last

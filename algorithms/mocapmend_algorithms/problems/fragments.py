@@ -138,7 +138,7 @@ def _ranked(
 
 def _off(recording: Recording, mates: RigidMates, own: FloatArray, frames: IntArray) -> float:
     """Return by how much the distances to a marker's neighbours are off, in usual deviations."""
-    around = recording.points[frames][:, mates.markers]
+    around = recording.points[frames[:, None], mates.markers]
     apart = (around - own[:, None]) * recording.mm
     length = np.sqrt(np.einsum("nmk,nmk->nm", apart, apart))
     off = np.abs(length - mates.length) / np.hypot(mates.spread, FLOOR_MM)
