@@ -22,7 +22,7 @@ from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.labelling import Labelling, LabelParams
-from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.names import without_subject
 
 Open = Callable[[Path], MainWindow]
 

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -150,6 +150,3 @@ def _rounded(array: FloatArray) -> Any:
     listed = np.round(array, 2).astype(object)
     listed[np.isnan(array)] = None
     return listed.tolist()
-
-
-assert {"labels", "segments", *LabelModel.ARRAYS} == {field.name for field in fields(LabelModel)}

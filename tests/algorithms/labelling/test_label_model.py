@@ -1,7 +1,7 @@
 """What is learned of labelled recordings, and how it is kept."""
 
 import json
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -27,6 +27,11 @@ def test_json_gives_the_same_model_back():
     model = LabelModel.learn([trial.with_points(points)])
     assert np.isnan(model.length[3, 5])
     same(LabelModel.from_json(model.to_json()), model)
+
+
+def test_a_document_holds_all_there_is():
+    document = json.loads(LabelModel.learn([body(20)]).to_json())
+    assert set(document) == {"schema", *(field.name for field in fields(LabelModel))}
 
 
 @pytest.mark.parametrize("text", ["{}", "[]", "1", '{"schema": 2}', "not json", '{"schema": 1}'])
