@@ -149,7 +149,7 @@ class ProofActions(QObject):
         workspace = self._window.workspace
         if workspace is None:
             return
-        likely, last = self._window.files.folder(), workspace.last_export
+        likely, last = self._window.files.folder(), workspace.proofs.last_export
         likely /= self._window.files.export_name()
         if last is not None and patches(workspace.document.source, last):
             likely = last

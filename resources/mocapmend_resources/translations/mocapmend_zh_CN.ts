@@ -725,6 +725,13 @@
     </message>
 </context>
 <context>
+    <name>BoneSearch</name>
+    <message>
+        <source>Skeleton</source>
+        <translation>骨架</translation>
+    </message>
+</context>
+<context>
     <name>BonesPage</name>
     <message>
         <source>Length ({0})</source>
@@ -2659,6 +2666,77 @@
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Queue</source>
+        <translation>队列</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>修复</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Repairs</source>
+        <translation>修复列表</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>模拟通道</translation>
+    </message>
+    <message>
+        <source>{0} events</source>
+        <translation>{0} 个事件</translation>
+    </message>
+    <message>
+        <source>{0} analog channels</source>
+        <translation>{0} 个模拟通道</translation>
+    </message>
+    <message>
+        <source>{0} model outputs</source>
+        <translation>{0} 个模型输出</translation>
+    </message>
+    <message>
+        <source>This file has no marker samples: there is nothing to repair.
+
+It holds {0}.</source>
+        <translation>此文件没有标记点采样：没有可修复的内容。
+
+其中有 {0}。</translation>
+    </message>
+    <message>
+        <source>nothing that can be shown</source>
+        <translation>没有可显示的内容</translation>
+    </message>
+</context>
+<context>
     <name>ParamsForm</name>
     <message>
         <source>automatic</source>
@@ -2885,6 +2963,17 @@
     <message>
         <source>{0} edits made again, by a recipe that was made for another file.</source>
         <translation>已重做 {0} 项编辑，所用的修复方案是为另一个文件制作的。</translation>
+    </message>
+</context>
+<context>
+    <name>Proofs</name>
+    <message>
+        <source>Not exported yet.</source>
+        <translation>尚未导出。</translation>
+    </message>
+    <message>
+        <source>Edited since {0} was exported.</source>
+        <translation>导出 {0} 之后又有编辑。</translation>
     </message>
 </context>
 <context>
@@ -6574,10 +6663,6 @@
 <context>
     <name>Workspace</name>
     <message>
-        <source>Skeleton</source>
-        <translation>骨架</translation>
-    </message>
-    <message>
         <source>This file has no analog channels.</source>
         <translation>此文件没有模拟通道。</translation>
     </message>
@@ -6598,88 +6683,12 @@
         <translation>缺失段：已填补 {0} 个，未填补 {1} 个。</translation>
     </message>
     <message>
-        <source>Not exported yet.</source>
-        <translation>尚未导出。</translation>
-    </message>
-    <message>
-        <source>Edited since {0} was exported.</source>
-        <translation>导出 {0} 之后又有编辑。</translation>
-    </message>
-    <message>
         <source>Select a marker first.</source>
         <translation>请先选择一个标记点。</translation>
     </message>
     <message>
         <source>Labels are being looked for already.</source>
         <translation>已在查找标签。</translation>
-    </message>
-    <message>
-        <source>Analog</source>
-        <translation>模拟通道</translation>
-    </message>
-    <message>
-        <source>Markers</source>
-        <translation>标记点</translation>
-    </message>
-    <message>
-        <source>Queue</source>
-        <translation>队列</translation>
-    </message>
-    <message>
-        <source>Repair</source>
-        <translation>修复</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>时间线</translation>
-    </message>
-    <message>
-        <source>Repairs</source>
-        <translation>修复列表</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>计划</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>历史</translation>
-    </message>
-    <message>
-        <source>Labels</source>
-        <translation>标签</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>平滑</translation>
-    </message>
-    <message>
-        <source>{0} events</source>
-        <translation>{0} 个事件</translation>
-    </message>
-    <message>
-        <source>{0} analog channels</source>
-        <translation>{0} 个模拟通道</translation>
-    </message>
-    <message>
-        <source>{0} model outputs</source>
-        <translation>{0} 个模型输出</translation>
-    </message>
-    <message>
-        <source>This file has no marker samples: there is nothing to repair.
-
-It holds {0}.</source>
-        <translation>此文件没有标记点采样：没有可修复的内容。
-
-其中有 {0}。</translation>
-    </message>
-    <message>
-        <source>nothing that can be shown</source>
-        <translation>没有可显示的内容</translation>
     </message>
 </context>
 </TS>
