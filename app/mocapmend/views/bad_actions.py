@@ -14,6 +14,8 @@ from mocapmend.document import Document
 from mocapmend.doubts import BY_HAND, Doubt, overlapping
 from mocapmend.fixing import exchanged_kinds, find, is_fixable, remedies
 from mocapmend.jobs import Job, Jobs
+from mocapmend.label_review import Decision
+from mocapmend.unsure_labels import UNSURE
 from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.filling import Filling
 from mocapmend.views.queue_pane import QueuePane
@@ -74,7 +76,9 @@ class BadActions(QObject):
         run = self._current()
         if run is None:
             return
-        if not self._is_open(run):
+        if run.kind == UNSURE:
+            self._decide(run, Decision.ACCEPTED)
+        elif not self._search.suspects.is_open(run):
             self.message.emit(self.tr("This problem is fixed already; undo takes it back."))
         elif not is_fixable(run):
             self.message.emit(
@@ -87,7 +91,9 @@ class BadActions(QObject):
     def fix_kind(self) -> None:
         """Put all problems right that are of the kind of the current one, in one step."""
         run = self._current()
-        if run is not None:
+        if run is not None and run.kind == UNSURE:
+            self.message.emit(self.tr("Unsure labels are accepted one by one."))
+        elif run is not None:
             same = [other for other in self._search.suspects.fixable if other.kind == run.kind]
             self._fix(same, f"fix {len(same)} problems ({run.kind})")
 
@@ -101,7 +107,10 @@ class BadActions(QObject):
         run = self._current()
         if run is None:
             return
-        if not self._is_open(run):
+        if run.kind == UNSURE:
+            self._decide(run, Decision.REJECTED)
+            return
+        if not self._search.suspects.is_open(run):
             self.message.emit(self.tr("This problem is fixed already; undo takes it back."))
             return
         self._search.dismiss(run)
@@ -230,6 +239,17 @@ class BadActions(QObject):
             return None
         return Exchange(pair[0], pair[1], start, stop)
 
+    # --- proposed labels ---------------------------------------------------------------------
+
+    def _decide(self, run: BadRun, decision: Decision) -> None:
+        """Take note of what the user says about a label, and go to the next problem."""
+        self._search.decide(run, decision)
+        self._queue.step(1)
+        if not self._search.suspects.labels.left:
+            self.message.emit(
+                self.tr("All unsure labels are looked at: apply them in the pane of labels.")
+            )
+
     # --- how ---------------------------------------------------------------------------------
 
     def _fix(self, runs: Sequence[BadRun], text: str) -> None:
@@ -256,10 +276,6 @@ class BadActions(QObject):
             self.message.emit(self.tr("There is no bad sample here: choose a problem first (N)."))
         return self._view.suspect
 
-    def _is_open(self, run: BadRun) -> bool:
-        suspects = self._search.suspects
-        return run in suspects.found or run in suspects.dismissed
-
     def _span(self) -> tuple[int, int]:
         frame = self._view.frame
         return self._view.span or (frame, frame + 1)
@@ -267,7 +283,7 @@ class BadActions(QObject):
     def _keep_up(self) -> None:
         """Leave a problem that is none any more, or is another."""
         run = self._view.suspect
-        if run is not None and not self._is_open(run) and run not in self._search.suspects.fixed():
+        if run is not None and self._search.suspects.status(run) is None:
             self._view.set_suspect(None)
 
     def _tell_found(self, count: int) -> None:

@@ -288,8 +288,8 @@ class Workspace(PanedWindow):
 
     def apply(self, *, go_on: bool) -> None:
         """Make the previewed repair an edit, or fix the current problem; go on to the next."""
-        run, suspects = self.view.suspect, self.search.suspects
-        if run is not None and (run in suspects.found or run in suspects.dismissed):
+        run = self.view.suspect
+        if run is not None and self.search.suspects.is_open(run):
             self.bad_actions.fix()
         elif go_on:
             self.gap_actions.apply_and_go_on()
@@ -386,12 +386,23 @@ class Workspace(PanedWindow):
         self.renaming = RenamingActions(document, view, do, self)
         self.hand_labels = HandLabelActions(document, view, self.filling, do, self)
         self.label_search = LabelSearch(document, jobs, settings, self)
-        self.labels = LabelPane(document, view, self.label_search, self.filling, do, theme, actions)
+        unsure = self.search.suspects.labels
+        self.labels = LabelPane(
+            document, view, self.label_search, unsure, self.filling, do, theme, actions
+        )
+        for told in (self.label_search.changed, self.label_search.decided):
+            told.connect(self._list_labels)
+        self.search.decided.connect(self.label_search.decided)
         self.markers.renamed.connect(self.renaming.rename)
         self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
         self.label_search.failed.connect(self.failed)
         for part in (self.renaming, self.hand_labels, self.label_search, self.labels):
             part.message.connect(self.message)
+
+    def _list_labels(self) -> None:
+        """List unsure labels in the queue while they are for the recording as it is."""
+        labels = self.label_search
+        self.search.show_labels(labels.review if labels.up_to_date else None)
 
     def rename(self) -> None:
         """Let the user type another name for the current marker."""

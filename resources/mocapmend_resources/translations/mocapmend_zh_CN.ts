@@ -641,6 +641,10 @@
         <translation>此片段不属于任何标记点：请手动互换，或标为没有问题。</translation>
     </message>
     <message>
+        <source>Unsure labels are accepted one by one.</source>
+        <translation>不确定的标签要逐个接受。</translation>
+    </message>
+    <message>
         <source>No problem: it is listed under that status from now on.</source>
         <translation>没有问题：从现在起列在该状态下。</translation>
     </message>
@@ -687,6 +691,10 @@
     <message>
         <source>Exchanged in {0} frames, from frame {1} on.</source>
         <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
+    </message>
+    <message>
+        <source>All unsure labels are looked at: apply them in the pane of labels.</source>
+        <translation>不确定的标签已全部查看：请在标签窗格中应用。</translation>
     </message>
     <message>
         <source>Bad samples are not known yet: look for them first (Ctrl+F).</source>
@@ -6228,8 +6236,32 @@ It holds {0}.</source>
         <translation>全部修正</translation>
     </message>
     <message>
+        <source>Accept</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
         <source>A problem after all</source>
         <translation>仍是问题</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Rejected:&lt;/b&gt; it stays as it is.</source>
+        <translation>&lt;b&gt;已拒绝：&lt;/b&gt;保持原样。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Accepting&lt;/b&gt; says that it is no marker.</source>
+        <translation>&lt;b&gt;接受&lt;/b&gt;即表示它不是标记点。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Accepting&lt;/b&gt; gives it the label {0} when the labels are applied.</source>
+        <translation>&lt;b&gt;接受&lt;/b&gt;后，应用标签时它将得到标签 {0}。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Accepted:&lt;/b&gt; it gets the label {0} when the labels are applied.</source>
+        <translation>&lt;b&gt;已接受：&lt;/b&gt;应用标签时它将得到标签 {0}。</translation>
     </message>
     <message>
         <source>&lt;b&gt;Fixed.&lt;/b&gt;</source>
@@ -6307,6 +6339,10 @@ It holds {0}.</source>
         <translation>重合</translation>
     </message>
     <message>
+        <source>Label?</source>
+        <translation>标签？</translation>
+    </message>
+    <message>
         <source>Label</source>
         <translation>名称</translation>
     </message>
@@ -6343,12 +6379,24 @@ It holds {0}.</source>
         <translation>重合点</translation>
     </message>
     <message>
+        <source>Unsure label</source>
+        <translation>不确定的标签</translation>
+    </message>
+    <message>
         <source>Of no label</source>
         <translation>不属于任何名称</translation>
     </message>
     <message>
         <source>Set aside by hand</source>
         <translation>手动搁置</translation>
+    </message>
+    <message>
+        <source>Labels to review</source>
+        <translation>待查看的标签</translation>
+    </message>
+    <message>
+        <source>Proposed labels that are too unsure to be given: accept or reject each. Error: how unsure they are, times the distance to the nearest other point.</source>
+        <translation>建议的标签因不够确定而不会自动给出：请逐个接受或拒绝。误差：不确定程度乘以到最近其他点的距离。</translation>
     </message>
     <message>
         <source>The rest is explained otherwise.</source>
