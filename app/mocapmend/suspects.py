@@ -103,6 +103,11 @@ class Suspects:
             self._left = [run for run in kept if not _meets(run, touched)]
         return True
 
+    def doubt(self) -> None:
+        """Keep what was found only until it is looked for again: names have changed."""
+        self._left = self._latest()
+        self._found.clear()
+
     def dismiss(self, run: BadRun) -> None:
         """Take note that a run is no problem."""
         self._dismissed.setdefault(_of(run), []).append(run)

@@ -143,6 +143,10 @@ class QueuePane(QWidget):
         self._catch_up()
         return self.model.problem(0) if self.model.rowCount() else None
 
+    def begin_again(self) -> None:
+        """Let the next step go to the worst problem that is left then."""
+        self._place = -1
+
     def _show_row(self, row: int) -> None:
         problem = self.model.problem(row)
         if problem.bad is None:
@@ -276,14 +280,20 @@ class QueuePane(QWidget):
     def _show(self) -> None:
         self._pages.setCurrentWidget(self.table if self.model.rowCount() else self._empty)
         if not self.model.rowCount():
-            self._empty.setText(
-                self.tr("No problem passes the filter.")
-                if self.model.total
-                else self.tr("No marker is missing anywhere: there is nothing to fill.")
-            )
+            self._empty.setText(self._why_empty())
         self.table.show_kinds(shown=self.model.has_bad)
         self._show_said()
         self._follow()
+
+    def _why_empty(self) -> str:
+        if self.model.total:
+            return self.tr("No problem passes the filter.")
+        told = self.tr("No marker is missing anywhere: there is nothing to fill.")
+        if self._search.suspects.known:
+            return told + "\n" + self.tr("No bad samples were found.")
+        if self._search.running:
+            return told + "\n" + self.tr("Bad samples are being looked for…")
+        return told + "\n" + self.tr("Bad samples were not looked for: Ctrl+F does it.")
 
     def _show_said(self) -> None:
         done, all_gaps = self._survey.progress()
