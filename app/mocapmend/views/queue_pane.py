@@ -25,6 +25,7 @@ from mocapmend.ranking import Problem, Status
 from mocapmend.settings import RANKING, SEARCHING, Settings
 from mocapmend.suspects import KINDS, place_of
 from mocapmend.views.bad_search import BadSearch
+from mocapmend.views.eliding_combo import ElidingCombo
 from mocapmend.views.queue_model import TO_DO, Filter, QueueModel
 from mocapmend.views.queue_table import QueueTable
 from mocapmend.views.survey import Survey
@@ -179,7 +180,11 @@ class QueuePane(QWidget):
             _Choice(self.tr("Open"), TO_DO),
             _Choice(self.tr("Beyond the limits"), frozenset({Status.BEYOND})),
             _Choice(self.tr("Left open"), frozenset({Status.LEFT})),
-            _Choice(self.tr("Repaired or fixed"), frozenset({Status.REPAIRED, Status.FIXED})),
+            _Choice(
+                self.tr("Done"),
+                frozenset({Status.REPAIRED, Status.FIXED}),
+                self.tr("Gaps that are repaired, and problems that are fixed"),
+            ),
             _Choice(self.tr("Never to be filled"), frozenset({Status.NEVER})),
             _Choice(self.tr("No problem"), frozenset({Status.DISMISSED})),
             _Choice(self.tr("All"), frozenset(Status)),
@@ -202,7 +207,7 @@ class QueuePane(QWidget):
         )
 
     def _make_combo(self, name: str, choices: tuple[_Choice, ...]) -> QComboBox:
-        combo = QComboBox()
+        combo = ElidingCombo()
         for row, choice in enumerate(choices):
             combo.addItem(choice.text, choice.value)
             combo.setItemData(row, choice.tip, Qt.ItemDataRole.ToolTipRole)

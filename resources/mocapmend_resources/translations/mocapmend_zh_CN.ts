@@ -3121,10 +3121,6 @@
         <translation>在后台查找坏采样</translation>
     </message>
     <message>
-        <source>Repaired or fixed</source>
-        <translation>已修复或修正</translation>
-    </message>
-    <message>
         <source>Never to be filled</source>
         <translation>永不填补</translation>
     </message>
@@ -3199,6 +3195,14 @@
     <message>
         <source>No marker is missing anywhere: there is nothing to fill.</source>
         <translation>没有标记点缺失：无需填补。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>已处理</translation>
+    </message>
+    <message>
+        <source>Gaps that are repaired, and problems that are fixed</source>
+        <translation>已修复的缺失段和已修正的问题</translation>
     </message>
     <message>
         <source>{0} gaps</source>
