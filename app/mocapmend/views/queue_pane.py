@@ -270,6 +270,7 @@ class QueuePane(QWidget):
             self._search.start()
         else:
             self._search.stop()
+        self._show()
 
     def _go_to(self, index: QModelIndex) -> None:
         self._show_row(index.row())
@@ -296,7 +297,7 @@ class QueuePane(QWidget):
         told = self.tr("No marker is missing anywhere: there is nothing to fill.")
         if self._search.suspects.known:
             return told + "\n" + self.tr("No bad samples were found.")
-        if self._search.running:
+        if self._search.on or self._search.running:
             return told + "\n" + self.tr("Bad samples are being looked for…")
         return told + "\n" + self.tr("Bad samples were not looked for: Ctrl+F does it.")
 
