@@ -20,6 +20,8 @@ from mocapmend_algorithms.problems.registry import DETECTORS
 LABELS = LEFT_OVER.problem
 KINDS = (*DETECTORS, LABELS, BY_HAND)
 """Of bad runs: the ids of the detectors, what labelling and the user set aside without one."""
+BY_NAME = "fragments"
+"""The kind that is found by the names of points."""
 _Of = tuple[str, int, int | None]
 """Kind and markers."""
 MOST_KEPT = 40
@@ -104,8 +106,11 @@ class Suspects:
         return True
 
     def doubt(self) -> None:
-        """Keep what was found only until it is looked for again: names have changed."""
-        self._left = self._latest()
+        """Keep what was found only until it is looked for again: names have changed.
+
+        Which points are fragments or ghosts depends on names alone; of these nothing is kept.
+        """
+        self._left = [run for run in self._latest() if run.kind != BY_NAME]
         self._found.clear()
 
     def dismiss(self, run: BadRun) -> None:

@@ -174,6 +174,8 @@ class TestFound:
         at_rest(workspace, qtbot)
         assert "fragments" in dict(kinds_found(workspace))
         workspace.document.undo_stack.undo()
+        assert "fragments" not in dict(kinds_found(workspace)), "at once"
+        assert "spikes" in dict(kinds_found(workspace))
         at_rest(workspace, qtbot)
         assert "fragments" not in dict(kinds_found(workspace))
 
