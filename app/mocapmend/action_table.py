@@ -143,8 +143,10 @@ ACTIONS: tuple[ActionSpec, ...] = (
         starts_group=True,
     ),
     ActionSpec("apply_labels", "Edit", QT_TRANSLATE_NOOP("Actions", "Apply the proposed labels")),
-    ActionSpec("next_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Next gap"), ("N",)),
-    ActionSpec("previous_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous gap"), ("P",)),
+    ActionSpec("next_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Next gap or problem"), ("N",)),
+    ActionSpec(
+        "previous_gap", "Gaps", QT_TRANSLATE_NOOP("Actions", "Previous gap or problem"), ("P",)
+    ),
     ActionSpec(
         "next_gap_here",
         "Gaps",
@@ -230,7 +232,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "exchange",
         "Problems",
-        QT_TRANSLATE_NOOP("Actions", "Exchange the two selected markers"),
+        QT_TRANSLATE_NOOP("Actions", "Exchange the samples of the two selected markers"),
         ("Ctrl+E",),
     ),
     ActionSpec(
@@ -549,7 +551,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "zoom_out", "View", QT_TRANSLATE_NOOP("Actions", "Zoom out on the time axis"), ("-",)
     ),
     ActionSpec("zoom_all", "View", QT_TRANSLATE_NOOP("Actions", "Whole recording"), ("0",)),
-    ActionSpec("zoom_gap", "View", QT_TRANSLATE_NOOP("Actions", "Zoom to the gap"), ("G",)),
+    ActionSpec(
+        "zoom_gap", "View", QT_TRANSLATE_NOOP("Actions", "Zoom to the gap or problem"), ("G",)
+    ),
     ActionSpec(
         "zoom_span", "View", QT_TRANSLATE_NOOP("Actions", "Zoom to the selected frames"), ("Z",)
     ),

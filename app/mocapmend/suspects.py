@@ -22,6 +22,8 @@ LABELS = LEFT_OVER.problem
 KINDS = (*DETECTORS, UNSURE, LABELS, BY_HAND)
 """Of bad runs: the ids of the detectors, labels to be looked at, what labelling and the user set
 aside."""
+BY_NAME = "fragments"
+"""The kind that is found by the names of points."""
 _Of = tuple[str, int, int | None]
 """Kind and markers."""
 MOST_KEPT = 40
@@ -111,6 +113,14 @@ class Suspects:
                 touched.setdefault(run.marker, []).append(run)
             self._left = [run for run in kept if not _meets(run, touched)]
         return True
+
+    def doubt(self) -> None:
+        """Keep what was found only until it is looked for again: names have changed.
+
+        Which points are fragments or ghosts depends on names alone; of these nothing is kept.
+        """
+        self._left = [run for run in self._latest() if run.kind != BY_NAME]
+        self._found.clear()
 
     def dismiss(self, run: BadRun) -> None:
         """Take note that a run is no problem."""

@@ -165,6 +165,20 @@ class TestFound:
         workspace.queue.look.setChecked(True)
         at_rest(workspace, qtbot)
 
+    def test_a_point_is_a_ghost_or_none_by_its_name(
+        self, searched: MainWindow, qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        assert "fragments" not in dict(kinds_found(workspace))
+        workspace.renaming.rename(5, "*5")
+        at_rest(workspace, qtbot)
+        assert "fragments" in dict(kinds_found(workspace))
+        workspace.document.undo_stack.undo()
+        assert "fragments" not in dict(kinds_found(workspace)), "at once"
+        assert "spikes" in dict(kinds_found(workspace))
+        at_rest(workspace, qtbot)
+        assert "fragments" not in dict(kinds_found(workspace))
+
     def test_filter_by_kind(self, searched: MainWindow) -> None:
         workspace = workspace_of(searched)
         queue = workspace.queue
@@ -218,6 +232,25 @@ class TestSteps:
         view.go_to(HOLE)
         assert not box.isVisible()
         assert workspace.repair._gap_box.isVisible()
+
+    def test_the_buttons_are_above_what_is_longer_or_shorter(
+        self, searched: MainWindow, qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        box = workspace.repair._suspect_box
+        for place in (SPIKE, SWAP):
+            go_to(workspace, place)
+            qtbot.waitUntil(lambda: box.fix.geometry().bottom() < box._about.y())
+
+    def test_it_is_zoomed_to(self, searched: MainWindow) -> None:
+        workspace = workspace_of(searched)
+        view = workspace.view
+        go_to(workspace, SWAP)
+        workspace.zoom_all()
+        searched.actions_by_id["zoom_gap"].trigger()
+        start, stop = view.visible
+        assert start < SWAP.start < SWAP.stop < stop
+        assert stop - start < 4 * SWAP.length
 
     def test_the_arrow_keys_of_the_table_go_to_them(
         self, searched: MainWindow, qtbot: QtBot
@@ -298,6 +331,30 @@ class TestFix:
         assert told[-1] == "There is nothing that could be fixed."
         document.undo_stack.undo()
         assert document.points.tobytes() == before
+
+    def test_after_all_of_a_kind_the_next_is_the_worst_that_is_left(
+        self, searched: MainWindow, qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        go_to(workspace, SPIKE)
+        qtbot.keyClick(searched, Qt.Key.Key_H, SHIFT)
+        at_rest(workspace, qtbot)
+        qtbot.keyClick(searched, Qt.Key.Key_N)
+        worst, view = workspace.queue.worst(), workspace.view
+        assert worst is not None
+        assert (view.gap if view.suspect is None else place_of(view.suspect)) == worst.gap
+
+    def test_undo_and_redo_say_what_they_do(
+        self, searched: MainWindow, told: list[str], qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        go_to(workspace, SPIKE)
+        workspace.bad_actions.fix()
+        searched.actions_by_id["undo"].trigger()
+        assert told[-1] == "Taken back: fix RFWT (Spikes)."
+        searched.actions_by_id["redo"].trigger()
+        assert told[-1] == "Made again: fix RFWT (Spikes)."
+        at_rest(workspace, qtbot)
 
     def test_what_was_fixed_before_the_file_was_saved_is_listed(
         self, searched: MainWindow, open_in: Open, tmp_path: Path, qtbot: QtBot
@@ -480,7 +537,7 @@ class TestByHand:
         before = document.points.copy()
         view.select((5, 6, 7))
         qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
-        assert told[-1] == "Select the two markers to be exchanged, and no other."
+        assert told[-1] == "Select the two markers to be exchanged (Ctrl+click adds one)."
         view.select((5, HOLE.marker))
         view.set_span((HOLE.start - 5, HOLE.stop + 5))
         qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)

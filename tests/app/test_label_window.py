@@ -367,6 +367,56 @@ def test_labels_that_were_learned_can_be_chosen(
     chooser.reject()
 
 
+def chooser_of(workspace: Workspace) -> LabelChooser:
+    workspace.ask_label()
+    (chooser,) = [each for each in workspace.findChildren(LabelChooser) if each.isVisible()]
+    return chooser
+
+
+def test_a_new_label_is_offered_after_those_that_it_is_a_part_of(
+    workspace: Workspace, scrambled: Scrambled, qtbot: QtBot
+) -> None:
+    document, view = workspace.document, workspace.view
+    nameless = next(k for k, label in enumerate(document.labels) if label.startswith("*"))
+    view.select((nameless,))
+    view.set_frame(int(np.flatnonzero(document.base.present[:, nameless])[0]))
+    chooser = chooser_of(workspace)
+    part = next(name for name in document.names if not name.startswith("*"))[:2]
+    qtbot.keyClicks(chooser.field, part)
+    assert len(chooser.texts()) > 1
+    assert chooser.texts()[-1] == part
+    chooser.table.setCurrentCell(len(chooser.texts()) - 1, 0)
+    qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
+    assert document.names[nameless] == part
+
+
+def test_a_new_label_is_not_offered_where_it_would_be_refused(
+    workspace: Workspace, qtbot: QtBot
+) -> None:
+    document, view = workspace.document, workspace.view
+    labelled = next(k for k, label in enumerate(document.labels) if not label.startswith("*"))
+    view.select((labelled,))
+    view.set_frame(int(np.flatnonzero(document.base.present[:, labelled])[0]))
+    chooser = chooser_of(workspace)
+    qtbot.keyClicks(chooser.field, "Nobody")
+    assert chooser.texts() == []
+    assert "F2" in chooser.hint.text()
+    qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
+    assert chooser.isVisible()
+    assert not document.undo_stack.count()
+    chooser.reject()
+
+
+def test_the_proposals_have_the_keyboard_when_they_come(
+    workspace: Workspace, window: MainWindow, labelling: Labelling, qtbot: QtBot
+) -> None:
+    pane = workspace.labels
+    workspace.show_pane(pane)
+    qtbot.waitUntil(lambda: pane.isAncestorOf(window.focusWidget()))
+    workspace.label_search._take(labelling, workspace.label_search._now())
+    assert window.focusWidget() is pane.table
+
+
 def test_a_stretch_goes_to_the_point_of_its_label(
     workspace: Workspace, scrambled: Scrambled
 ) -> None:

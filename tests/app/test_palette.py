@@ -44,7 +44,7 @@ def test_enter_does_what_is_chosen(open_in: Open, gait: Path, qtbot: QtBot) -> N
     window = open_in(gait)
     palette = opened(window, qtbot)
     qtbot.keyClicks(palette.field, "next gap")
-    assert palette.texts()[0] == "Next gap"
+    assert palette.texts()[0] == "Next gap or problem"
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
     assert not palette.isVisible()
     assert window.workspace is not None
@@ -76,7 +76,7 @@ def test_reasons_fit_the_recording(open_in: Open, gait: Path) -> None:
     found = by_text(open_in(gait))
     assert found["Undo"].refusal == "There is nothing to undo."
     assert found["Next recording"].refusal == "Only one recording is open."
-    assert found["Next gap"].refusal == ""
+    assert found["Next gap or problem"].refusal == ""
 
 
 def test_panes_layouts_and_recent_files_are_offered(

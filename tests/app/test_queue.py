@@ -237,6 +237,11 @@ def test_a_complete_recording_says_so(open_in: Open, samples: Path) -> None:
     workspace = workspace_of(open_in(samples / "walk_cmu_02_01.c3d"))
     assert workspace.queue.worst() is None
     assert "nothing to fill" in workspace.queue._empty.text()
+    assert "were not looked for" in workspace.queue._empty.text()
+    workspace.queue.look.setChecked(True)
+    assert "are being looked for" in workspace.queue._empty.text()
+    workspace.queue.look.setChecked(False)
+    assert "were not looked for" in workspace.queue._empty.text()
     assert workspace.queue.model.gaps == []
     assert not workspace.queue.step(1)
 

@@ -67,8 +67,8 @@ def test_a_key_is_set_and_remembered(
     qtbot.keyClick(dialog.edit, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
     dialog.set_button.click()
     assert keys(window, "next_gap") == ["Ctrl+J"]
-    assert window.actions_by_id["next_gap"].toolTip() == "Next gap (Ctrl+J)"
-    assert ("Next gap", "Ctrl+J (changed)") in rows(dialog)
+    assert window.actions_by_id["next_gap"].toolTip() == "Next gap or problem (Ctrl+J)"
+    assert ("Next gap or problem", "Ctrl+J (changed)") in rows(dialog)
     other = MainWindow(settings)
     assert keys(other, "next_gap") == ["Ctrl+J"]
     other.close()
@@ -87,7 +87,7 @@ def test_a_changed_key_works_and_the_old_one_does_not(
     qtbot.keyClick(window, Qt.Key.Key_J)
     assert workspace.view.gap is not None
     tips = [each.toolTip() for each in workspace.repair.findChildren(ActionButton)]
-    assert "Next gap (J)" in tips
+    assert "Next gap or problem (J)" in tips
 
 
 def test_a_key_of_another_action_is_refused(window: MainWindow, dialog: ShortcutsDialog) -> None:

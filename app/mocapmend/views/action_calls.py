@@ -56,8 +56,8 @@ def _candidate(number: int) -> "Callable[[Workspace], object]":
 
 
 COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
-    "undo": lambda w: w.document.undo_stack.undo(),
-    "redo": lambda w: w.document.undo_stack.redo(),
+    "undo": lambda w: w.undo(),
+    "redo": lambda w: w.redo(),
     "rename": lambda w: w.rename(),
     "exchange_names": lambda w: w.renaming.exchange_names(),
     "this_is": lambda w: w.ask_label(),

@@ -96,11 +96,13 @@ class BadActions(QObject):
         elif run is not None:
             same = [other for other in self._search.suspects.fixable if other.kind == run.kind]
             self._fix(same, f"fix {len(same)} problems ({run.kind})")
+            self._queue.begin_again()
 
     def fix_all(self) -> None:
         """Put all problems right that were found, in one step."""
         every = self._search.suspects.fixable
         self._fix(every, f"fix {len(every)} problems")
+        self._queue.begin_again()
 
     def dismiss(self) -> None:
         """Say that the current problem is none, and go to the next; or that it is one after all."""
@@ -207,7 +209,9 @@ class BadActions(QObject):
     def exchange(self) -> None:
         """Exchange the two selected markers in the selected time, or from the playhead on."""
         if len(self._view.selection) != 2:
-            self.message.emit(self.tr("Select the two markers to be exchanged, and no other."))
+            self.message.emit(
+                self.tr("Select the two markers to be exchanged (Ctrl+click adds one).")
+            )
             return
         first, second = self._view.selection
         wanted = self.to_exchange()

@@ -49,6 +49,7 @@ class BadSearch(QObject):
         document.base_changed.connect(self._abandon)
         document.samples_changed.connect(self._keep_up)
         document.skeleton_changed.connect(self._go_on)
+        document.names_changed.connect(self._look_again)
 
     def start(self) -> None:
         """Begin, or go on."""
@@ -102,6 +103,13 @@ class BadSearch(QObject):
         if self.suspects.keep_up(changed):
             self.changed.emit()
             self._go_on()
+
+    def _look_again(self) -> None:
+        """Look once more: a point that has got a label is no ghost, and one without may be."""
+        self._abandon()
+        self.suspects.doubt()
+        self.changed.emit()
+        self._go_on()
 
     def _go_on(self) -> None:
         """Look in a moment, where that is wanted and something is to be found out."""

@@ -12,7 +12,7 @@ from mocapmend.correcting import step
 from mocapmend.document import Document
 from mocapmend.errors import MocapmendError
 from mocapmend.hand_labels import free_and_taken, given, next_without_label, stretch
-from mocapmend.renaming import checked_label, full_label
+from mocapmend.renaming import checked_label, full_label, without_label
 from mocapmend.views.engine_texts import error_text
 from mocapmend.views.filling import Filling
 from mocapmend.viewstate import ViewState
@@ -63,6 +63,10 @@ class HandLabelActions(QObject):
             self.message.emit(error_text(error))
             return None
         return free_and_taken(self._document, marker, frames)
+
+    def may_be_new(self, marker: int) -> bool:
+        """Say whether a point may get a label that no point has: it has none itself."""
+        return marker in without_label(self._document.labels)
 
     def this_is(self, typed: str) -> None:
         """Say which marker the current one is, from the playhead on or in the selected frames."""

@@ -17,6 +17,8 @@ class LabelChooser(Palette):
         What the point is called now.
     free, taken, unused : sequence of str
         Labels whose points are not seen there, those whose points are, and those without a point.
+    new : bool
+        Whether the point may get a label that no point has.
     take : callable
         Is told the label.
     parent : QWidget
@@ -29,12 +31,16 @@ class LabelChooser(Palette):
         free: Sequence[str],
         taken: Sequence[str],
         unused: Sequence[str],
+        *,
+        new: bool,
         take: Callable[[str], object],
         parent: QWidget,
     ) -> None:
         self._take = take
+        self._new = new
         places = [(label, self.tr("free here")) for label in free]
-        places += [(label, self.tr("no point has it yet")) for label in unused]
+        if new:
+            places += [(label, self.tr("no point has it yet")) for label in unused]
         places += [(label, self.tr("is seen here: the two are exchanged")) for label in taken]
         entries = [Entry(label, place, "", partial(take, label)) for label, place in places]
         super().__init__(entries, parent)
@@ -42,16 +48,14 @@ class LabelChooser(Palette):
         self.field.setPlaceholderText(self.tr("Type a label"))
         self.field.setAccessibleName(self.tr("Which marker it is"))
 
+    def _fitting(self, typed: str) -> list[Entry]:
+        found, label = super()._fitting(typed), typed.strip()
+        if self._new and label and all(label != entry.text for entry in found):
+            # Last: what is typed is mostly a part of a label that there is.
+            found.append(Entry(label, self.tr("new label"), "", partial(self._take, label)))
+        return found
+
     def _show_refusal(self) -> None:
         super()._show_refusal()
-        typed = self.field.text().strip()
-        if not self._shown and typed:
-            self.hint.setText(self.tr("Enter gives the new label {0}.").format(typed))
-
-    def _run(self) -> None:
-        typed = self.field.text().strip()
-        if self._shown or not typed:
-            super()._run()
-            return
-        self.accept()
-        self._take(typed)
+        if not self._shown:
+            self.hint.setText(self.tr("No point has this label. Rename the marker instead (F2)."))

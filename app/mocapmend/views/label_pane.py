@@ -211,7 +211,9 @@ class LabelPane(QWidget):
         self._pages.addWidget(empty)
         self._pages.addWidget(reviewing)
         self._empty, self._reviewing = empty, reviewing
-        self.setFocusProxy(self.table)
+        # Without proposals it has the keyboard itself, and hands it on to them.
+        empty.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        empty.setAccessibleName(self.tr("Labels"))
 
     # --- showing -----------------------------------------------------------------------------
 
@@ -224,9 +226,12 @@ class LabelPane(QWidget):
             if review is not None and len(review):
                 # Later: the pane may only come in sight now.
                 QTimer.singleShot(0, self, lambda: self.table.selectRow(0))
-        self._pages.setCurrentWidget(
-            self._reviewing if review is not None and len(review) else self._empty
-        )
+        reviewing = review is not None and len(review) > 0
+        waited = self._empty.hasFocus()
+        self._pages.setCurrentWidget(self._reviewing if reviewing else self._empty)
+        self.setFocusProxy(self.table if reviewing else self._empty)
+        if waited:
+            self.setFocus()
         self._show_state()
 
     def _show_state(self) -> None:

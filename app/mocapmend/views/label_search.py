@@ -122,7 +122,7 @@ class LabelSearch(QObject):
         self._stand = stand
         self.review = LabelReview(found, self.least)
         count = len(self.review)
-        told = self.tr("Labels are proposed for {0} pieces; nothing is changed yet.")
+        told = self.tr("Pieces with a proposed label: {0}. Nothing is changed yet.")
         if not count:
             told = self.tr("All points have names that the labelled recordings have.")
         self.message.emit(told.format(count))

@@ -95,8 +95,7 @@ class Palette(QDialog):
         return True
 
     def _filter(self, typed: str) -> None:
-        order = ranked(typed, [f"{entry.text} {entry.place}" for entry in self._entries])
-        self._shown = [self._entries[k] for k in order]
+        self._shown = self._fitting(typed)
         self.table.setRowCount(len(self._shown))
         dim = self.palette().color(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Text)
         dim_place = self.palette().color(QPalette.ColorRole.PlaceholderText)
@@ -115,6 +114,11 @@ class Palette(QDialog):
         if self._shown:
             self.table.setCurrentCell(0, 0)
         self._show_refusal()
+
+    def _fitting(self, typed: str) -> list[Entry]:
+        """Return what fits what is typed, the best first."""
+        order = ranked(typed, [f"{entry.text} {entry.place}" for entry in self._entries])
+        return [self._entries[k] for k in order]
 
     def _show_refusal(self) -> None:
         row = self.table.currentRow()

@@ -25,6 +25,7 @@ from mocapmend.ranking import Problem, Status
 from mocapmend.settings import RANKING, SEARCHING, Settings
 from mocapmend.suspects import KINDS, place_of
 from mocapmend.views.bad_search import BadSearch
+from mocapmend.views.eliding_combo import ElidingCombo
 from mocapmend.views.queue_model import TO_DO, Filter, QueueModel
 from mocapmend.views.queue_table import QueueTable
 from mocapmend.views.survey import Survey
@@ -143,6 +144,10 @@ class QueuePane(QWidget):
         self._catch_up()
         return self.model.problem(0) if self.model.rowCount() else None
 
+    def begin_again(self) -> None:
+        """Let the next step go to the worst problem that is left then."""
+        self._place = -1
+
     def _show_row(self, row: int) -> None:
         problem = self.model.problem(row)
         if problem.bad is None:
@@ -175,7 +180,11 @@ class QueuePane(QWidget):
             _Choice(self.tr("Open"), TO_DO),
             _Choice(self.tr("Beyond the limits"), frozenset({Status.BEYOND})),
             _Choice(self.tr("Left open"), frozenset({Status.LEFT})),
-            _Choice(self.tr("Repaired or fixed"), frozenset({Status.REPAIRED, Status.FIXED})),
+            _Choice(
+                self.tr("Done"),
+                frozenset({Status.REPAIRED, Status.FIXED}),
+                self.tr("Gaps that are repaired, and problems that are fixed"),
+            ),
             _Choice(self.tr("Never to be filled"), frozenset({Status.NEVER})),
             _Choice(self.tr("No problem"), frozenset({Status.DISMISSED})),
             _Choice(self.tr("All"), frozenset(Status)),
@@ -198,7 +207,7 @@ class QueuePane(QWidget):
         )
 
     def _make_combo(self, name: str, choices: tuple[_Choice, ...]) -> QComboBox:
-        combo = QComboBox()
+        combo = ElidingCombo()
         for row, choice in enumerate(choices):
             combo.addItem(choice.text, choice.value)
             combo.setItemData(row, choice.tip, Qt.ItemDataRole.ToolTipRole)
@@ -261,6 +270,7 @@ class QueuePane(QWidget):
             self._search.start()
         else:
             self._search.stop()
+        self._show()
 
     def _go_to(self, index: QModelIndex) -> None:
         self._show_row(index.row())
@@ -276,14 +286,20 @@ class QueuePane(QWidget):
     def _show(self) -> None:
         self._pages.setCurrentWidget(self.table if self.model.rowCount() else self._empty)
         if not self.model.rowCount():
-            self._empty.setText(
-                self.tr("No problem passes the filter.")
-                if self.model.total
-                else self.tr("No marker is missing anywhere: there is nothing to fill.")
-            )
+            self._empty.setText(self._why_empty())
         self.table.show_kinds(shown=self.model.has_bad)
         self._show_said()
         self._follow()
+
+    def _why_empty(self) -> str:
+        if self.model.total:
+            return self.tr("No problem passes the filter.")
+        told = self.tr("No marker is missing anywhere: there is nothing to fill.")
+        if self._search.suspects.known:
+            return told + "\n" + self.tr("No bad samples were found.")
+        if self._search.on or self._search.running:
+            return told + "\n" + self.tr("Bad samples are being looked for…")
+        return told + "\n" + self.tr("Bad samples were not looked for: Ctrl+F does it.")
 
     def _show_said(self) -> None:
         done, all_gaps = self._survey.progress()

@@ -89,5 +89,8 @@ class QueueTable(QTableView):
         """Give the names what the first columns leave them."""
         header, advance = self.horizontalHeader(), self.fontMetrics().horizontalAdvance
         room = self.viewport().width() - sum(map(header.sectionSize, FIRST))
-        least, most = advance(LEAST_NAME) + PADDING, advance(self._longest) + PADDING
+        # Where there are bad samples, some are of two markers.
+        pairs = not self.isColumnHidden(Column.KIND)
+        longest = f"{self._longest} ↔ {self._longest}" if pairs else self._longest
+        least, most = advance(LEAST_NAME) + PADDING, advance(longest) + PADDING
         header.resizeSection(Column.MARKER, max(least, min(most, room)))

@@ -67,7 +67,9 @@ class RenamingActions(QObject):
         """Give each of the two selected markers the other's name, over the whole recording."""
         if len(self._view.selection) != 2:
             self.message.emit(
-                self.tr("Select the two markers whose names are to be exchanged, and no other.")
+                self.tr(
+                    "Select the two markers whose names are to be exchanged (Ctrl+click adds one)."
+                )
             )
             return
         first, second = self._view.selection

@@ -179,6 +179,8 @@ class SmoothPane(QScrollArea):
         view.selection_changed.connect(self.refresh)
         view.span_changed.connect(self._show_span)
         self._document.samples_changed.connect(self.refresh)
+        for show in (self._show_outlook, self._show_now):
+            self._document.names_changed.connect(show)
         smoothing.looked.connect(self._show_outlook)
         smoothing.started.connect(self._show_possible)
         smoothing.ended.connect(self._show_possible)

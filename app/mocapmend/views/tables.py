@@ -17,6 +17,8 @@ from PySide6.QtWidgets import (
 from mocapmend_algorithms import Gap
 
 DIGITS = "0123456789"
+LEAST_SECTION = 30
+"""Pixels of a column, whatever it holds."""
 MARK_ROOM = "\N{EN SPACE}"
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -103,7 +105,6 @@ class RowHeights(QObject):
 def narrow(table: QTableView, widths: dict[int, int], stretched: int = 0) -> None:
     """Give some columns a width in pixels, and one of them the rest."""
     header = table.horizontalHeader()
-    header.setMinimumSectionSize(30)
     header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     header.setSectionResizeMode(stretched, QHeaderView.ResizeMode.Stretch)
     ColumnWidths(table, widths)
@@ -127,8 +128,12 @@ class ColumnWidths(QObject):
 
     def _fit(self) -> None:
         scale = self._table.fontMetrics().horizontalAdvance(DIGITS) / self._first
-        for column, width in self._widths.items():
-            self._table.horizontalHeader().resizeSection(column, round(width * scale))
+        header = self._table.horizontalHeader()
+        widths = {column: round(width * scale) for column, width in self._widths.items()}
+        # What has the rest of the room must be legible too: the table is scrolled then.
+        header.setMinimumSectionSize(max(LEAST_SECTION, min(widths.values())))
+        for column, width in widths.items():
+            header.resizeSection(column, width)
 
 
 INDENT = "   "

@@ -70,12 +70,12 @@ class TimeActions(QObject):
             self._view.set_visible(*span)
 
     def frame_gap(self) -> None:
-        """Show the current gap so that it takes a third of the time axis."""
-        gap = self._view.gap
-        if gap is None:
-            self.message.emit(self.tr("No gap is chosen: press N for the next one."))
+        """Show the current gap or problem so that it takes a third of the time axis."""
+        current = self._view.suspect or self._view.gap
+        if current is None:
+            self.message.emit(self.tr("No gap or problem is chosen: press N for the next one."))
         else:
-            self._view.frame_span(gap.start, gap.stop)
+            self._view.frame_span(current.start, current.stop)
 
     def turn_page(self, step: int) -> None:
         """Show what comes after (1) or before (-1) the visible range."""

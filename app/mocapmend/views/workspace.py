@@ -24,6 +24,7 @@ from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.beginning import Beginning
 from mocapmend.views.bone_search import BoneSearch
 from mocapmend.views.dialogs import left_open_dialog
+from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
 from mocapmend.views.hand_label_actions import HandLabelActions
@@ -296,6 +297,19 @@ class Workspace(PanedWindow):
         else:
             self.gap_actions.apply()
 
+    def undo(self) -> None:
+        """Take the last edit back, and say which."""
+        stack = self.document.undo_stack
+        # First: what follows from it may have more to say.
+        self.message.emit(self.tr("Taken back: {0}.").format(shown(stack.undoText())))
+        stack.undo()
+
+    def redo(self) -> None:
+        """Make the edit again that was taken back last, and say which."""
+        stack = self.document.undo_stack
+        self.message.emit(self.tr("Made again: {0}.").format(shown(stack.redoText())))
+        stack.redo()
+
     def fill_all(self) -> None:
         """Fill every gap within the limits, in one undoable step; fix bad samples before, if so."""
         kinds, repair = self.repair.fix_first.kinds(), self.repair
@@ -422,7 +436,8 @@ class Workspace(PanedWindow):
         free, taken = ([names[other] for other in some] for some in choices)
         review = self.label_search.review
         unused = [label for label in (review.labels if review else ()) if label not in names]
-        LabelChooser(names[marker], free, taken, unused, take, self).open()
+        new = self.hand_labels.may_be_new(marker)
+        LabelChooser(names[marker], free, taken, unused, new=new, take=take, parent=self).open()
 
     def ask_labels(self) -> None:
         """Ask which recordings labels are to be learned from; nothing waits for the answer."""

@@ -84,14 +84,6 @@
         <translation>应用建议的标签</translation>
     </message>
     <message>
-        <source>Next gap</source>
-        <translation>下一个缺失段</translation>
-    </message>
-    <message>
-        <source>Previous gap</source>
-        <translation>上一个缺失段</translation>
-    </message>
-    <message>
         <source>Next gap of this marker</source>
         <translation>此标记点的下一个缺失段</translation>
     </message>
@@ -148,8 +140,16 @@
         <translation>重新采用被搁置的采样</translation>
     </message>
     <message>
-        <source>Exchange the two selected markers</source>
-        <translation>互换所选的两个标记点</translation>
+        <source>Next gap or problem</source>
+        <translation>下一个缺失段或问题</translation>
+    </message>
+    <message>
+        <source>Previous gap or problem</source>
+        <translation>上一个缺失段或问题</translation>
+    </message>
+    <message>
+        <source>Exchange the samples of the two selected markers</source>
+        <translation>交换所选两个标记点的采样</translation>
     </message>
     <message>
         <source>Apply the previewed repair</source>
@@ -392,8 +392,8 @@
         <translation>整段记录</translation>
     </message>
     <message>
-        <source>Zoom to the gap</source>
-        <translation>缩放到缺失段</translation>
+        <source>Zoom to the gap or problem</source>
+        <translation>缩放到缺失段或问题</translation>
     </message>
     <message>
         <source>Zoom to the selected frames</source>
@@ -681,8 +681,8 @@
         <translation>重新采用的采样：{0}。</translation>
     </message>
     <message>
-        <source>Select the two markers to be exchanged, and no other.</source>
-        <translation>请只选择要互换的两个标记点。</translation>
+        <source>Select the two markers to be exchanged (Ctrl+click adds one).</source>
+        <translation>请选择要互换的两个标记点（Ctrl+单击可添加）。</translation>
     </message>
     <message>
         <source>Neither of the two markers is seen here.</source>
@@ -1323,8 +1323,12 @@
         <translation>它是哪个标记点</translation>
     </message>
     <message>
-        <source>Enter gives the new label {0}.</source>
-        <translation>按回车赋予新标签 {0}。</translation>
+        <source>new label</source>
+        <translation>新标签</translation>
+    </message>
+    <message>
+        <source>No point has this label. Rename the marker instead (F2).</source>
+        <translation>没有点使用此标签。请改为重命名该标记点 (F2)。</translation>
     </message>
 </context>
 <context>
@@ -1464,6 +1468,10 @@
         <translation>按已标注的记录标注…</translation>
     </message>
     <message>
+        <source>Labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
         <source>Labels for points that have none, or that are in pieces, can be learned from recordings of the same marker set.</source>
         <translation>没有标签或断成片段的点，可以从同一标记点方案的记录中学习标签。</translation>
     </message>
@@ -1503,8 +1511,8 @@
         <translation>标注</translation>
     </message>
     <message>
-        <source>Labels are proposed for {0} pieces; nothing is changed yet.</source>
-        <translation>已为 {0} 个片段建议标签；尚未更改任何内容。</translation>
+        <source>Pieces with a proposed label: {0}. Nothing is changed yet.</source>
+        <translation>建议了标签的片段：{0} 个。尚未作任何更改。</translation>
     </message>
     <message>
         <source>All points have names that the labelled recordings have.</source>
@@ -3210,10 +3218,6 @@ It holds {0}.</source>
         <translation>在后台查找坏采样</translation>
     </message>
     <message>
-        <source>Repaired or fixed</source>
-        <translation>已修复或修正</translation>
-    </message>
-    <message>
         <source>Never to be filled</source>
         <translation>永不填补</translation>
     </message>
@@ -3258,6 +3262,18 @@ It holds {0}.</source>
         <translation>没有符合筛选条件的问题。</translation>
     </message>
     <message>
+        <source>No bad samples were found.</source>
+        <translation>没有找到坏采样。</translation>
+    </message>
+    <message>
+        <source>Bad samples are being looked for…</source>
+        <translation>正在查找坏采样…</translation>
+    </message>
+    <message>
+        <source>Bad samples were not looked for: Ctrl+F does it.</source>
+        <translation>尚未查找坏采样：按 Ctrl+F 查找。</translation>
+    </message>
+    <message>
         <source>{0} listed · ranked {1} of {2}</source>
         <translation>列出 {0} 项 · 已排序 {1} / {2}</translation>
     </message>
@@ -3276,6 +3292,14 @@ It holds {0}.</source>
     <message>
         <source>No marker is missing anywhere: there is nothing to fill.</source>
         <translation>没有标记点缺失：无需填补。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>已处理</translation>
+    </message>
+    <message>
+        <source>Gaps that are repaired, and problems that are fixed</source>
+        <translation>已修复的缺失段和已修正的问题</translation>
     </message>
     <message>
         <source>{0} gaps</source>
@@ -3412,8 +3436,8 @@ It holds {0}.</source>
         <translation>⚠ {0} 现在叫 {1}，与另一个标记点同名。</translation>
     </message>
     <message>
-        <source>Select the two markers whose names are to be exchanged, and no other.</source>
-        <translation>请只选择要交换名称的两个标记点。</translation>
+        <source>Select the two markers whose names are to be exchanged (Ctrl+click adds one).</source>
+        <translation>请选择要交换名称的两个标记点（Ctrl+单击可添加）。</translation>
     </message>
     <message>
         <source>Both have the same name.</source>
@@ -6433,8 +6457,8 @@ It holds {0}.</source>
         <translation>没有选择帧：请按住 Shift 拖动，或按 I 和 O。</translation>
     </message>
     <message>
-        <source>No gap is chosen: press N for the next one.</source>
-        <translation>没有选择缺失段：按 N 转到下一个。</translation>
+        <source>No gap or problem is chosen: press N for the next one.</source>
+        <translation>未选择缺失段或问题：按 N 转到下一个。</translation>
     </message>
 </context>
 <context>
@@ -6717,6 +6741,14 @@ It holds {0}.</source>
     <message>
         <source>Trails reach {0} s back and ahead.</source>
         <translation>尾迹前后各 {0} s。</translation>
+    </message>
+    <message>
+        <source>Taken back: {0}.</source>
+        <translation>已撤销：{0}。</translation>
+    </message>
+    <message>
+        <source>Made again: {0}.</source>
+        <translation>已重做：{0}。</translation>
     </message>
     <message>
         <source>This method takes no donors.</source>
