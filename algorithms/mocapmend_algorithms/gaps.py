@@ -1,7 +1,7 @@
 """Missing runs of a marker."""
 
 from collections.abc import Iterable
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,23 @@ class Gap(NamedTuple):
         if self.start == 0:
             return "whole" if self.stop == frames else "leading"
         return "trailing" if self.stop == frames else "interior"
+
+
+class Frames(Protocol):
+    """Anything that has frames: start to stop - 1."""
+
+    @property
+    def start(self) -> int:
+        """The first."""
+
+    @property
+    def stop(self) -> int:
+        """The one after the last."""
+
+
+def overlap(one: Frames, other: Frames) -> bool:
+    """Say whether two runs have frames in common."""
+    return one.start < other.stop and other.start < one.stop
 
 
 def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:

@@ -9,6 +9,7 @@ from mocapmend.edits import Edit
 from mocapmend.shared_recording import SharedRecording
 from mocapmend.state import ABSENT, SampleState
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.gaps import overlap
 
 
 def beneath(document: Document, run: Gap) -> Edit:
@@ -20,7 +21,7 @@ def beneath(document: Document, run: Gap) -> Edit:
     states = document.state[rows, marker].copy()
     states[states == SampleState.SMOOTHED] = SampleState.MEASURED
     for earlier in document.smoothed_earlier:
-        if earlier.marker == marker and _overlap(earlier, run):
+        if earlier.marker == marker and overlap(earlier, run):
             inside = states[max(0, earlier.start - run.start) : earlier.stop - run.start]
             inside[inside == SampleState.MEASURED] = SampleState.SMOOTHED
     values = document.base.points[rows, marker].copy()
@@ -28,7 +29,7 @@ def beneath(document: Document, run: Gap) -> Edit:
     # What is filled is one gap: those beside each other would be one.
     for first, end in document.runs(marker, SampleState.FILLED).tolist():
         gap = Gap(marker, first, end)
-        if _overlap(gap, run):
+        if overlap(gap, run):
             start, stop = max(gap.start, run.start), min(gap.stop, run.stop)
             filled = document.repairs[gap].patch.values[start - gap.start : stop - gap.start]
             values[start - run.start : stop - run.start] = filled
@@ -79,7 +80,7 @@ def without_smoothing(
         if document.smoothed_earlier.get(run) is not made
         and (
             _meets(document, run, changed.get(run.marker, ()))
-            or any(_overlap(run, other) for other in replaced.get(run.marker, ()))
+            or any(overlap(run, other) for other in replaced.get(run.marker, ()))
         )
     ]
 
@@ -106,7 +107,3 @@ def _by_marker(runs: Iterable[Gap]) -> dict[int, list[Gap]]:
     for run in runs:
         of_marker.setdefault(run.marker, []).append(run)
     return of_marker
-
-
-def _overlap(one: Gap, other: Gap) -> bool:
-    return one.start < other.stop and other.start < one.stop

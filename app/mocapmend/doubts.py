@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.corrections import Exchange
-from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.gaps import overlap, runs
 
 BY_HAND = "by hand"
 """The problem of what the user has set aside without a detector."""
@@ -46,7 +46,7 @@ def exchanged(doubts: Doubts, exchange: Exchange) -> Change:
     gone = {
         run: doubt
         for run, doubt in doubts.items()
-        if run.marker in others and run.start < exchange.stop and exchange.start < run.stop
+        if run.marker in others and overlap(run, exchange)
     }
     come = {}
     for run, doubt in gone.items():
@@ -98,8 +98,4 @@ def believed(doubts: Doubts, run: Gap) -> Change:
 
 def overlapping(some: Iterable[Gap], run: Gap) -> Iterator[Gap]:
     """Yield those of some runs that have samples in common with a run."""
-    return (
-        one
-        for one in some
-        if one.marker == run.marker and one.start < run.stop and run.start < one.stop
-    )
+    return (one for one in some if one.marker == run.marker and overlap(one, run))

@@ -5,7 +5,8 @@ from dataclasses import replace
 from enum import Enum, auto
 
 from mocapmend_algorithms import Recording
-from mocapmend_algorithms.labelling import LabelChanges, Labelled, Labelling, Piece, changes
+from mocapmend_algorithms.gaps import overlap
+from mocapmend_algorithms.labelling import LabelChanges, Labelled, Labelling, changes
 
 
 class Decision(Enum):
@@ -129,9 +130,5 @@ class LabelReview:
         """Yield the pieces that share frames with another one."""
         own = self._now[chosen].piece
         for k, proposal in enumerate(self._now):
-            if k != chosen and _meet(own, proposal.piece):
+            if k != chosen and overlap(own, proposal.piece):
                 yield k
-
-
-def _meet(one: Piece, other: Piece) -> bool:
-    return one.start < other.stop and other.start < one.stop

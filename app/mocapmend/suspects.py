@@ -15,6 +15,7 @@ from mocapmend.state import OPEN, SampleState
 from mocapmend.unsure_labels import UNSURE, UnsureLabels
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.corrections import Move
+from mocapmend_algorithms.gaps import overlap
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.problems.registry import DETECTORS
 
@@ -129,12 +130,12 @@ class Suspects:
     def take_up(self, run: BadRun) -> None:
         """Hold a dismissed run for a problem again."""
         alike = self._dismissed.get(_of(run), [])
-        self._dismissed[_of(run)] = [other for other in alike if not _overlap(run, other)]
+        self._dismissed[_of(run)] = [other for other in alike if not overlap(run, other)]
 
     def is_dismissed(self, run: BadRun) -> bool:
         """Say whether a run is what the user holds for no problem."""
         # Ends may differ by what else was corrected between two searches.
-        return any(_overlap(run, other) for other in self._dismissed.get(_of(run), ()))
+        return any(overlap(run, other) for other in self._dismissed.get(_of(run), ()))
 
     def status(self, run: BadRun) -> Status | None:
         """Return what has become of a run; None where it is a problem no more."""
@@ -242,14 +243,6 @@ def _of(run: BadRun) -> _Of:
     return run.kind, run.marker, run.other
 
 
-def _overlap(run: BadRun, other: BadRun) -> bool:
-    return run.start < other.stop and other.start < run.stop
-
-
 def _meets(run: BadRun, touched: dict[int, list[Gap]]) -> bool:
     markers = (run.marker,) if run.other is None else (run.marker, run.other)
-    return any(
-        run.start < gap.stop and gap.start < run.stop
-        for marker in markers
-        for gap in touched.get(marker, ())
-    )
+    return any(overlap(run, gap) for marker in markers for gap in touched.get(marker, ()))

@@ -16,7 +16,7 @@ from mocapmend.settings import RANKING, SEARCHING, Settings
 from mocapmend.state import SampleState
 from mocapmend.suspects import gap_to_be, place_of
 from mocapmend.views.main_window import MainWindow
-from mocapmend.views.queue_model import GLYPHS, Column
+from mocapmend.views.queue_texts import GLYPHS, Column
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.limits import Limits

@@ -12,9 +12,9 @@ from mocapmend.ranking import Status
 from mocapmend.settings import RANKING, Settings
 from mocapmend.state import SampleState
 from mocapmend.views.main_window import MainWindow
-from mocapmend.views.queue_model import GLYPHS, Column, short_number
 from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.queue_table import QueueTable
+from mocapmend.views.queue_texts import GLYPHS, Column, short_number
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import Gap
 

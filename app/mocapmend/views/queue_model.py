@@ -2,62 +2,29 @@
 
 import math
 from dataclasses import dataclass
-from enum import IntEnum
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt, Signal
 
 from mocapmend.document import Document
-from mocapmend.problem_list import ALL_KINDS, GAP, Places, ProblemList
+from mocapmend.problem_list import ALL_KINDS, Places, ProblemList
 from mocapmend.prospects import Prospects
 from mocapmend.ranking import Problem, Status
 from mocapmend.suspects import Suspects
-from mocapmend.views.engine_texts import method_name, shown
 from mocapmend.views.marker_table import NO_PARENT, Index
-from mocapmend.views.suspect_texts import (
-    kind_text,
-    kinds_text,
-    markers_text,
-    reason_text,
-    score_text,
-)
-from mocapmend.views.tables import LEFT, RIGHT, frames_text
+from mocapmend.views.queue_texts import Column, QueueTexts
+from mocapmend.views.tables import LEFT, RIGHT
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.problems import BadRun
 
 CENTRE = Qt.AlignmentFlag.AlignCenter
 
 
-class Column(IntEnum):
-    """Of the table, from left to right."""
-
-    STATUS = 0
-    MARKER = 1
-    KIND = 2
-    FRAMES = 3
-    ERROR = 4
-    HARM = 5
-    MS = 6
-    METHOD = 7
-    CONTEXT = 8
-    PLACE = 9
-
-
 _ORDER_OF = {
     Column.STATUS: "status", Column.MARKER: "marker", Column.KIND: "kind", Column.FRAMES: "length",
     Column.ERROR: "error", Column.HARM: "harm", Column.MS: "length", Column.PLACE: "time",
 }  # fmt: skip
-GLYPHS = {
-    Status.OPEN: "○",
-    Status.BEYOND: "◌",
-    Status.LEFT: "◐",
-    Status.REPAIRED: "●",
-    Status.NEVER: "⊘",
-    Status.FOUND: "✕",
-    Status.FIXED: "✔",
-    Status.DISMISSED: "–",
-}
 TO_DO = frozenset({Status.OPEN, Status.BEYOND, Status.FOUND})
 
 
@@ -98,6 +65,7 @@ class QueueModel(QAbstractTableModel):
     ) -> None:
         super().__init__(parent)
         self._document = document
+        self.texts = QueueTexts(document, self)
         self._filter = Filter()
         self._order = (Column.HARM, True)
         self._list = ProblemList(document, prospects, suspects)
@@ -244,7 +212,7 @@ class QueueModel(QAbstractTableModel):
         }  # fmt: skip
         if column in values:
             return listed.ordered(places, values[column], falling=falling)
-        texts = [self._text(listed.problem(place), column) for place in places.tolist()]
+        texts = [self.texts.text(listed.problem(place), column) for place in places.tolist()]
         number = np.zeros(len(listed.gaps))
         number[places] = np.unique(texts, return_inverse=True)[1]
         return listed.ordered(places, number, falling=falling)
@@ -271,108 +239,14 @@ class QueueModel(QAbstractTableModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         problem, column = self.problem(index.row()), Column(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(problem, column)
+            return self.texts.text(problem, column)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _alignment(column)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tip(problem)
+            return self.texts.tip(problem)
         if role == Qt.ItemDataRole.AccessibleTextRole and column == Column.STATUS:
-            return self.status_text(problem.status)
+            return self.texts.status_text(problem.status)
         return None
-
-    def status_text(self, status: Status) -> str:
-        """Return what a status is called."""
-        return {
-            Status.OPEN: self.tr("open"),
-            Status.BEYOND: self.tr("beyond the limits"),
-            Status.LEFT: self.tr("left open"),
-            Status.REPAIRED: self.tr("repaired"),
-            Status.NEVER: self.tr("never to be filled"),
-            Status.FOUND: self.tr("found"),
-            Status.FIXED: self.tr("fixed"),
-            Status.DISMISSED: self.tr("no problem"),
-        }[status]
-
-    def _text(self, problem: Problem, column: Column) -> str:
-        gap, mm = problem.gap, self._document.original.mm
-        match column:
-            case Column.STATUS:
-                return GLYPHS[problem.status]
-            case Column.MARKER:
-                return self._markers_text(problem)
-            case Column.KIND:
-                return kind_text(GAP if problem.bad is None else problem.bad.kind)
-            case Column.FRAMES:
-                return str(gap.length)
-            case Column.ERROR:
-                return self._error_text(problem)
-            case Column.HARM:
-                return "" if math.isnan(problem.harm) else short_number(problem.harm * mm)
-            case Column.MS:
-                return f"{self._ms(gap):.0f}"
-            case Column.METHOD:
-                return "" if problem.best is None else method_name(problem.best.method)
-            case Column.CONTEXT:
-                return self._context(gap)
-            case Column.PLACE:
-                return frames_text(gap, self._document.original.first_frame)
-
-    def _markers_text(self, problem: Problem) -> str:
-        names, bad = self._document.names, problem.bad
-        return names[problem.gap.marker] if bad is None else markers_text(bad, names)
-
-    def _error_text(self, problem: Problem) -> str:
-        if not problem.tried:
-            return "…"
-        error = problem.error * self._document.original.mm
-        return "?" if math.isnan(error) else f"{error:.1f}"
-
-    def _context(self, gap: Gap) -> str:
-        middle = (gap.start + gap.stop - 1) // 2
-        others = int(np.count_nonzero(~self._document.original.present[middle])) - 1
-        match gap.kind(self._document.original.frames):
-            case "leading":
-                text = self.tr("start, {0} more missing")
-            case "trailing":
-                text = self.tr("end, {0} more missing")
-            case _:
-                text = self.tr("inside, {0} more missing")
-        return text.format(max(0, others))
-
-    def _tip(self, problem: Problem) -> str:
-        gap, best, bad = problem.gap, problem.best, problem.bad
-        first = self._document.original.first_frame + gap.start
-        last = first + gap.length - 1
-        labels = self._document.labels
-        lines = [
-            self.tr("{0}, frames {1} to {2}: {3}").format(
-                labels[gap.marker] if bad is None else markers_text(bad, labels),
-                first,
-                last,
-                self.status_text(problem.status),
-            )
-        ]
-        if bad is not None:
-            about = (kinds_text(bad.kind), score_text(bad))
-            lines.append(", ".join(filter(None, about)))
-        if problem.reason:
-            lines.append(shown(problem.reason) if bad is None else reason_text(bad))
-        if best is not None:
-            lines.append(method_name(best.method))
-        elif problem.tried and problem.status < Status.REPAIRED:
-            lines.append(self.tr("No repair that was tried could be tested here"))
-        return "\n".join(lines)
-
-    def _ms(self, gap: Gap) -> float:
-        return 1000.0 * gap.length / self._document.original.rate
-
-
-def short_number(value: float) -> str:
-    """Write a number in five characters: what is cut off cannot be compared."""
-    for size, sign in ((1e5, ""), (1e7, "k")):
-        if value < size - 0.5:
-            return f"{value / (1e3 if sign else 1.0):.0f}{sign}"
-    return f"{value / 1e6:.0f}M"
 
 
 def _alignment(column: Column) -> Qt.AlignmentFlag:

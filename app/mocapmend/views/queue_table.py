@@ -8,7 +8,8 @@ from mocapmend.problem_list import ALL_KINDS
 from mocapmend.ranking import METHODS
 from mocapmend.views.engine_texts import method_name
 from mocapmend.views.labels import LabelDelegate
-from mocapmend.views.queue_model import Column, QueueModel
+from mocapmend.views.queue_model import QueueModel
+from mocapmend.views.queue_texts import Column
 from mocapmend.views.suspect_texts import kind_text
 from mocapmend.views.tables import dress
 

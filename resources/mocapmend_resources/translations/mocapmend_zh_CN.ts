@@ -3114,58 +3114,6 @@ It holds {0}.</source>
         <source>First and last missing frame</source>
         <translation>缺失的首帧和末帧</translation>
     </message>
-    <message>
-        <source>open</source>
-        <translation>未填补</translation>
-    </message>
-    <message>
-        <source>beyond the limits</source>
-        <translation>超出限值</translation>
-    </message>
-    <message>
-        <source>left open</source>
-        <translation>保留未填</translation>
-    </message>
-    <message>
-        <source>repaired</source>
-        <translation>已修复</translation>
-    </message>
-    <message>
-        <source>never to be filled</source>
-        <translation>永不填补</translation>
-    </message>
-    <message>
-        <source>found</source>
-        <translation>已找到</translation>
-    </message>
-    <message>
-        <source>fixed</source>
-        <translation>已修正</translation>
-    </message>
-    <message>
-        <source>no problem</source>
-        <translation>没有问题</translation>
-    </message>
-    <message>
-        <source>start, {0} more missing</source>
-        <translation>开头，另缺 {0} 个</translation>
-    </message>
-    <message>
-        <source>end, {0} more missing</source>
-        <translation>结尾，另缺 {0} 个</translation>
-    </message>
-    <message>
-        <source>inside, {0} more missing</source>
-        <translation>中间，另缺 {0} 个</translation>
-    </message>
-    <message>
-        <source>{0}, frames {1} to {2}: {3}</source>
-        <translation>{0}，第 {1} 至 {2} 帧：{3}</translation>
-    </message>
-    <message>
-        <source>No repair that was tried could be tested here</source>
-        <translation>已尝试的修复在此处都无法测试</translation>
-    </message>
 </context>
 <context>
     <name>QueuePane</name>
@@ -3315,6 +3263,61 @@ It holds {0}.</source>
     <message>
         <source>inside, {0} more missing</source>
         <translation>中间，另缺 {0} 个</translation>
+    </message>
+</context>
+<context>
+    <name>QueueTexts</name>
+    <message>
+        <source>open</source>
+        <translation>未填补</translation>
+    </message>
+    <message>
+        <source>beyond the limits</source>
+        <translation>超出限值</translation>
+    </message>
+    <message>
+        <source>left open</source>
+        <translation>保留未填</translation>
+    </message>
+    <message>
+        <source>repaired</source>
+        <translation>已修复</translation>
+    </message>
+    <message>
+        <source>never to be filled</source>
+        <translation>永不填补</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>已找到</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>已修正</translation>
+    </message>
+    <message>
+        <source>no problem</source>
+        <translation>没有问题</translation>
+    </message>
+    <message>
+        <source>start, {0} more missing</source>
+        <translation>开头，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>end, {0} more missing</source>
+        <translation>结尾，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>inside, {0} more missing</source>
+        <translation>中间，另缺 {0} 个</translation>
+    </message>
+    <message>
+        <source>{0}, frames {1} to {2}: {3}</source>
+        <translation>{0}，第 {1} 至 {2} 帧：{3}</translation>
+    </message>
+    <message>
+        <source>No repair that was tried could be tested here</source>
+        <translation>已尝试的修复在此处都无法测试</translation>
     </message>
 </context>
 <context>
