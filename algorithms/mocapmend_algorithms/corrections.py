@@ -107,7 +107,13 @@ def exchanges_between(now: NDArray[np.int32], wanted: NDArray[np.int32]) -> list
 
 
 def moves(origins: NDArray[np.int32]) -> list[Move]:
-    """Return what is not where it was stored, as runs by marker and start."""
+    """Return what is not where it was stored, as runs by marker and start.
+
+    Parameters
+    ----------
+    origins : ndarray of int32, shape (frames, markers)
+        See `stored_places`.
+    """
     found = []
     own = np.arange(origins.shape[1])
     for marker in np.flatnonzero((origins != own).any(axis=0)).tolist():
@@ -121,6 +127,13 @@ def moves(origins: NDArray[np.int32]) -> list[Move]:
 
 def moved(origins: NDArray[np.int32], given: Iterable[Move]) -> None:
     """Write moves into origins, in place; the inverse of `moves`.
+
+    Parameters
+    ----------
+    origins : ndarray of int32, shape (frames, markers)
+        Those of samples that nobody has exchanged, see `stored_places`; changed.
+    given : iterable of Move
+        What is not where it was stored.
 
     Raises
     ------
@@ -141,7 +154,7 @@ def moved(origins: NDArray[np.int32], given: Iterable[Move]) -> None:
 
 
 def places_now(origins: NDArray[np.int32]) -> NDArray[np.int32]:
-    """Return the inverse: for each stored sample the marker that holds it now."""
+    """Return the inverse of origins: for each stored sample the marker that holds it now."""
     now: NDArray[np.int32] = np.argsort(origins, axis=1).astype(np.int32)
     return now
 

@@ -24,10 +24,13 @@ class Correction:
         In this order.
     doubts : Change
         All runs set aside that go or come, those that go with their samples too.
+    found_as : tuple of str
+        Ids of the detectors that found what is exchanged, one for each problem.
     """
 
     exchanges: tuple[Exchange, ...] = ()
     doubts: Change = NO_CHANGE
+    found_as: tuple[str, ...] = ()
 
     @cached_property
     def runs(self) -> tuple[Gap, ...]:

@@ -7,6 +7,7 @@ import numpy as np
 from PySide6.QtGui import QUndoCommand
 
 from mocapmend.believed import Correction
+from mocapmend.beneath import changes_smoothing_alone, without_smoothing
 from mocapmend.document import Document
 from mocapmend.edits import Contents, Edit
 
@@ -97,12 +98,12 @@ class EditSamples(QUndoCommand):
 def _unsmoothed(
     document: Document, edits: Sequence[Edit], correction: Correction | None
 ) -> list[Edit]:
-    alone = [edit.gap for edit in edits if document.changes_smoothing_alone(edit)]
+    alone = [edit.gap for edit in edits if changes_smoothing_alone(document, edit)]
     kept = set(alone)
     runs = [edit.gap for edit in edits if edit.gap not in kept]
     if correction is not None:
         runs += correction.runs
-    off = document.without_smoothing(runs, alone)
+    off = without_smoothing(document, runs, alone)
     return [edit for edit in off if edit.gap not in kept]
 
 

@@ -1,6 +1,7 @@
 """What putting samples right changes in an open recording: one undoable step. No widgets."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from mocapmend.believed import Correction
@@ -33,6 +34,7 @@ def step(
     exchanges: Sequence[Exchange] = (),
     set_aside: Mapping[Gap, Doubt] | None = None,
     believe: Iterable[Gap] = (),
+    found_as: tuple[str, ...] = (),
 ) -> Step:
     """Return the step that exchanges samples, sets others aside, or believes them again.
 
@@ -46,10 +48,13 @@ def step(
         Runs of which the measured samples are set aside then.
     believe : iterable of Gap
         Runs in which none is set aside any more.
+    found_as : tuple of str
+        See `Correction`.
     """
     before = document.layers
     after = before.corrected(exchanges, {}).believing(believe).corrected((), set_aside or {})
-    return Step(*_between(document, before, after, exchanges))
+    edits, correction = _between(document, before, after, exchanges)
+    return Step(edits, replace(correction, found_as=found_as))
 
 
 def towards(document: Document, wanted: Layers) -> Step:

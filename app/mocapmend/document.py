@@ -1,6 +1,6 @@
 """The open recording: the only owner and the only writer of its samples."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import compress
 from typing import TypeVar
@@ -18,7 +18,8 @@ from mocapmend.files.records import NEVER_FILLED
 from mocapmend.layers import Layers
 from mocapmend.names import new_names, short_names
 from mocapmend.report import RepairRow, repair_rows
-from mocapmend.shared_recording import Changed, SharedRecording
+from mocapmend.shared_recording import SharedRecording
+from mocapmend.shares import Layer, Shares
 from mocapmend.state import ABSENT, SampleState
 from mocapmend.states import States
 from mocapmend.unsaved import Unsaved
@@ -81,8 +82,9 @@ class Document(QObject):
         self._newest_base = 0
         self._earlier = dict(_earlier_repairs(source))
         self.repairs = dict(self._earlier)
-        self._smoothed_earlier = dict(_earlier_smoothing(source))
-        self.smoothed = dict(self._smoothed_earlier)
+        self.smoothed_earlier = dict(_earlier_smoothing(source))
+        """The runs that were smoothed when the file was opened; never changed."""
+        self.smoothed = dict(self.smoothed_earlier)
         """The runs that are smoothed, and how. What else changes them takes that off first."""
         self.left_open: dict[Gap, str] = {}
         """Why fills left gaps open: results, no edits."""
@@ -93,10 +95,7 @@ class Document(QObject):
         self._states = States(source) if states is None else states
         self._written: set[Gap] = set()
         """Runs in which the samples may differ from those of the file."""
-        self._shared_file: SharedRecording | None = None
-        self._shared: tuple[int, SharedRecording] | None = None
-        self._shared_original: SharedRecording | None = None
-        self._shared_base: tuple[int, SharedRecording] | None = None
+        self._shares = Shares(source.recording)
 
     @property
     def skeleton(self) -> Skeleton:
@@ -218,9 +217,16 @@ class Document(QObject):
 
     def share(self) -> SharedRecording:
         """Return the current samples for a background job; all of a revision get the same."""
-        if self._shared is None or self._shared[0] != self.revision:
-            self._shared = self.revision, self._shared_with(self._written, self.points)
-        return self._shared[1]
+        return self._shares.get(Layer.CURRENT, self.revision, lambda: self._written, self.points)
+
+    def share_with(self, edits: Sequence[Edit]) -> SharedRecording:
+        """Return the samples as they would be after some edits for a background job."""
+        if not edits:
+            return self.share()
+        points = self.points.copy()
+        for edit in edits:
+            points[edit.gap.start : edit.gap.stop, edit.gap.marker] = edit.values
+        return self._shares.make(self._written.union(edit.gap for edit in edits), points)
 
     @property
     def base(self) -> Recording:
@@ -246,7 +252,7 @@ class Document(QObject):
         calls = new_names(former, new)
         self.repairs.update({gap: made.renamed(calls) for gap, made in self.repairs.items()})
         # Workers find markers by their labels.
-        self._shared = self._shared_base = self._shared_original = self._shared_file = None
+        self._shares.rename(new)
         self.names_changed.emit()
 
     @property
@@ -272,10 +278,12 @@ class Document(QObject):
         """Return `base` for a background job."""
         if self.base is self.original:
             return self.share_original()
-        if self._shared_base is None or self._shared_base[0] != self.base_revision:
-            runs = set(self._believed.touched())
-            self._shared_base = self.base_revision, self._shared_with(runs, self.base.points)
-        return self._shared_base[1]
+        return self._shares.get(
+            Layer.BASE,
+            self.base_revision,
+            lambda: set(self._believed.touched()),
+            self.base.points,
+        )
 
     def new_base_revision(self) -> int:
         """Return a number for a state of `base` that was not before."""
@@ -284,19 +292,9 @@ class Document(QObject):
 
     def share_original(self) -> SharedRecording:
         """Return the measured samples as the file has them for a background job."""
-        if self._shared_original is None:
-            self._shared_original = self._shared_with(self.source.repaired, self.original.points)
-        return self._shared_original
-
-    def _shared_with(self, runs: Collection[Gap], points: NDArray[np.float64]) -> SharedRecording:
-        """Return the samples of the file, but those of some runs."""
-        if self._shared_file is None:
-            named = replace(self.source.recording, labels=self.labels)
-            self._shared_file = SharedRecording(named)
-        if not runs:
-            return self._shared_file
-        frames, markers = places = places_of(runs)
-        return self._shared_file.with_changes(Changed(frames, markers, points[places]))
+        return self._shares.get(
+            Layer.ORIGINAL, 0, lambda: self.source.repaired, self.original.points
+        )
 
     def read(self, gap: Gap) -> Edit:
         """Return what a run holds now, as the edit that would restore it."""
@@ -338,93 +336,6 @@ class Document(QObject):
         self._written.update(new.gaps)
         self.revision += 1
         self.samples_changed.emit(new.gaps)
-
-    def beneath(self, run: Gap) -> Edit:
-        """Return what a run would hold without smoothing, as the edit that takes it off.
-
-        What was smoothed when the file was opened stays so: what was measured is not in it.
-        """
-        rows, marker = slice(run.start, run.stop), run.marker
-        states = self.state[rows, marker].copy()
-        states[states == SampleState.SMOOTHED] = SampleState.MEASURED
-        for earlier in self._smoothed_earlier:
-            if earlier.marker == marker and _overlap(earlier, run):
-                inside = states[max(0, earlier.start - run.start) : earlier.stop - run.start]
-                inside[inside == SampleState.MEASURED] = SampleState.SMOOTHED
-        values = self.base.points[rows, marker].copy()
-        values[np.isin(states, ABSENT)] = np.nan
-        # What is filled is one gap: those beside each other would be one.
-        for gap in self._states.as_gaps(marker, SampleState.FILLED):
-            if _overlap(gap, run):
-                start, stop = max(gap.start, run.start), min(gap.stop, run.stop)
-                filled = self.repairs[gap].patch.values[start - gap.start : stop - gap.start]
-                values[start - run.start : stop - run.start] = filled
-        return Edit(
-            run,
-            values,
-            states,
-            self.repairs.get(run),
-            self._reasons.get(run),
-            self._smoothed_earlier.get(run),
-        )
-
-    def changes_smoothing_alone(self, edit: Edit) -> bool:
-        """Say whether an edit leaves what lies beneath the smoothing as it is."""
-        if edit.smoothed is not None:
-            return True
-        if edit.gap not in self.smoothed:
-            return False
-        beneath = self.beneath(edit.gap)
-        return (
-            edit.repair is beneath.repair
-            and edit.reason == beneath.reason
-            and np.array_equal(edit.states, beneath.states)
-            and np.array_equal(edit.values, beneath.values, equal_nan=True)
-        )
-
-    def without_smoothing(
-        self, runs: Collection[Gap], smoothed_anew: Collection[Gap] = ()
-    ) -> list[Edit]:
-        """Return the edits that take smoothing off where other changes need it.
-
-        Parameters
-        ----------
-        runs : collection of Gap
-            Where what lies beneath changes. All smoothing of the samples on end around them
-            depends on that: what lies beyond a gap makes no difference to it.
-        smoothed_anew : collection of Gap
-            Where only the smoothing changes: what overlaps them is taken off.
-        """
-        changed, replaced = _by_marker(runs), _by_marker(smoothed_anew)
-        return [
-            self.beneath(run)
-            for run, made in sorted(self.smoothed.items(), key=lambda item: item[0])
-            if self._smoothed_earlier.get(run) is not made
-            and (
-                self._meets(run, changed.get(run.marker, ()))
-                or any(_overlap(run, other) for other in replaced.get(run.marker, ()))
-            )
-        ]
-
-    def _meets(self, run: Gap, others: Sequence[Gap]) -> bool:
-        """Say whether one of some runs of a marker has to do with the samples around a run."""
-        if not others:
-            return False
-        missing = np.flatnonzero(np.isin(self.state[:, run.marker], ABSENT))
-        before, after = np.searchsorted(missing, (run.start, run.stop))
-        start = missing[before - 1] if before else 0
-        stop = missing[after] + 1 if after < len(missing) else len(self.state)
-        return any(start < other.stop and other.start < stop for other in others)
-
-    def share_beneath(self) -> SharedRecording:
-        """Return the current samples without smoothing for a background job."""
-        edits = self.without_smoothing(self.smoothed)
-        if not edits:
-            return self.share()
-        points = self.points.copy()
-        for edit in edits:
-            points[edit.gap.start : edit.gap.stop, edit.gap.marker] = edit.values
-        return self._shared_with(self._written, points)
 
     def correct(self, correction: Correction, revision: int) -> None:
         """Exchange samples and set runs aside, or the like backwards. For undo commands alone.
@@ -495,17 +406,6 @@ def _earlier_smoothing(source: Source) -> Iterator[tuple[Gap, Smoothed]]:
     for run, entry in source.smoothed.items():
         rms = entry.rms_change_mm / source.recording.mm
         yield run, Smoothed(entry.method, entry.parameters, entry.chosen, rms)
-
-
-def _by_marker(runs: Iterable[Gap]) -> dict[int, list[Gap]]:
-    of_marker: dict[int, list[Gap]] = {}
-    for run in runs:
-        of_marker.setdefault(run.marker, []).append(run)
-    return of_marker
-
-
-def _overlap(one: Gap, other: Gap) -> bool:
-    return one.start < other.stop and other.start < one.stop
 
 
 def _set(known: dict[Gap, T], values: Iterable[tuple[Gap, T | None]]) -> None:

@@ -135,7 +135,7 @@ class Edit:
         result : SmoothResult
             What was smoothed.
         beneath : callable
-            Returns what a run holds without smoothing; see `Document.beneath`.
+            Returns what a run holds without smoothing; see `beneath.beneath`.
         """
         edits = []
         for done in result.runs:

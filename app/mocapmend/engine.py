@@ -5,33 +5,25 @@ Each is a pure function (files aside) that a worker process can import. No Qt.
 
 import os
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from mocapmend import label_templates, report, training, user_templates
+from mocapmend.bones import find_skeleton as find_skeleton
+from mocapmend.bones import search_skeleton as search_skeleton
+from mocapmend.bones import skeleton_of, stated_skeleton
 from mocapmend.changes import Changes as Changes
 from mocapmend.changes import changes_of as changes_of
 from mocapmend.changes import kept_gap as kept_gap
 from mocapmend.changes import record as record
 from mocapmend.changes import repaired as repaired
-from mocapmend.changes import with_new_labels
 from mocapmend.errors import MocapmendError
-from mocapmend.files import (
-    CheckReport,
-    Claim,
-    Provenance,
-    Saved,
-    Source,
-    Way,
-    check_files,
-    patches,
-    read_recording,
-    save_patched,
-    write_recording,
-)
+from mocapmend.exporting import Exported as Exported
+from mocapmend.exporting import export as export
+from mocapmend.files import CheckReport, Source, Way, check_files, read_recording
 from mocapmend.shared_memory import shared_array
 from mocapmend.states import States
 from mocapmend_algorithms import Gap, Progress, Recording
@@ -42,25 +34,15 @@ from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.labelling import Labelling, LabelParams
 from mocapmend_algorithms.labelling import label as propose_labels
 from mocapmend_algorithms.progress import part
-from mocapmend_algorithms.skeleton import (
-    Skeleton,
-    Template,
-    match_template,
-    segments_from_distances,
-    skeleton_from_distances,
-)
+from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.smooth import registry as smoothers
 from mocapmend_algorithms.smooth.contract import SmoothResult
 from mocapmend_algorithms.sparse.part_sets import going_on, train_parts
 from mocapmend_algorithms.sparse.part_training import PartSettings
 from mocapmend_algorithms.sparse.training_set import TrainingSet, TrainingSetError, gather
-from mocapmend_resources import skeletons
 
-Apart = Callable[..., Any]
-"""Calls a function with some arguments and a progress elsewhere, and waits for what it returns."""
 FOR_MANY = Way(shared_array, threads=min(4, os.cpu_count() or 1))
 """How a file is read that a user waits for, and that workers are to share."""
-READ_BACK = "The file was read back: all samples are as they should be."
 
 
 def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
@@ -76,7 +58,7 @@ def load(path: Path, progress: Progress) -> tuple[Source, Skeleton]:
     source = read_recording(path)
     progress(0.5)
     own, complaints = user_templates.load()
-    skeleton = _skeleton(source, own, part(progress, 0.5, 1.0))
+    skeleton = skeleton_of(source, own, part(progress, 0.5, 1.0))
     if complaints:
         source = replace(source, warnings=(*source.warnings, *complaints))
     progress(1.0)
@@ -119,40 +101,9 @@ def load_to_show(path: Path, progress: Progress) -> ToShow:
     # Here and now, for the window would wait for it. numpy loads np.ma when it is first asked for
     # different values or a percentile, as the views do.
     _ = source.measured.present, np.ma
-    read = ToShow(source, _stated_skeleton(source), States(source))
+    read = ToShow(source, stated_skeleton(source), States(source))
     progress(1.0)
     return read
-
-
-def find_skeleton(source: Source, progress: Progress) -> Skeleton:
-    """Find the bones: the file's own, else by known labels, else by constant distances.
-
-    The user's templates come before those that ship with the program where both fit as well.
-    """
-    return _skeleton(source, user_templates.load()[0], progress)
-
-
-def search_skeleton(recording: Recording, progress: Progress) -> Skeleton:
-    """Find the bones of a recording whose file has none, as `find_skeleton` does."""
-    return _searched(recording, user_templates.load()[0], progress)
-
-
-def _skeleton(source: Source, own: Sequence[Template], progress: Progress) -> Skeleton:
-    stated = _stated_skeleton(source)
-    return _searched(source.recording, own, progress) if stated is None else stated
-
-
-def _stated_skeleton(source: Source) -> Skeleton | None:
-    return Skeleton(source.kind, source.bones, "file") if source.bones else None
-
-
-def _searched(recording: Recording, own: Sequence[Template], progress: Progress) -> Skeleton:
-    known = match_template(recording.labels, (*own, *skeletons.load()))
-    if known is None:
-        return skeleton_from_distances(recording, progress)
-    if known.segments:
-        return known
-    return replace(known, segments=segments_from_distances(recording, progress))
 
 
 def fill(
@@ -304,133 +255,6 @@ def label_from(
     return propose_labels(recording, model, params, part(progress, 0.1, 1.0))
 
 
-@dataclass(frozen=True)
-class Exported:
-    """A file that was written, and the proofs that it is right.
-
-    Attributes
-    ----------
-    saved : Saved
-        What was written.
-    second_reader : str
-        What an independent C3D library makes of the file, or how it was read back, as a sentence.
-    check : CheckReport or None
-        The comparison with the original, passed; None where the new file is no copy of it.
-    """
-
-    saved: Saved
-    second_reader: str
-    check: CheckReport | None
-
-    @property
-    def sentences(self) -> tuple[str, ...]:
-        """The proofs and what else there is to know, for reports."""
-        checked = () if self.check is None else (self.check.sentence, *self.check.allowed)
-        return (
-            *checked,
-            self.second_reader,
-            *self.saved.sentences,
-        )
-
-
-def export(
-    source: Source,
-    changes: Changes,
-    out: Path,
-    replace_source: bool,  # noqa: FBT001 - a job passes its arguments by position
-    accept_truncated: bool,  # noqa: FBT001
-    progress: Progress,
-    apart: Apart | None = None,
-) -> Exported:
-    """Write the repaired copy of a file and prove that only the repairs differ.
-
-    A C3D file is copied and patched. What comes from another format, or goes into one, is written
-    as a new file.
-
-    The proofs come before the copy gets its name: what was there stays until they have passed.
-
-    Parameters
-    ----------
-    source : Source
-        The file as it was read.
-    changes : Changes
-        The repairs.
-    out : Path
-        Where the copy goes; a file of that name is replaced.
-    replace_source, accept_truncated : bool
-        See `save_patched`.
-    progress : Progress
-        Called often; may cancel.
-    apart : Apart, optional
-        Where the second reading goes on, which takes most of the time; here by default.
-
-    Raises
-    ------
-    MocapmendError
-        If it cannot be written, or if a proof fails. Then nothing has changed.
-    """
-    changes = with_new_labels(source, changes)
-    if not patches(source, out):
-        points = source.recording.points.copy()
-        for run in changes.runs:
-            points[run.start : run.start + len(run.values), run.marker] = run.values
-        saved = write_recording(
-            source,
-            replace(source.recording, points=points, labels=_labels(source, changes)),
-            changes.repairs,
-            out,
-            kept_open=changes.kept_open,
-            corrections=changes.corrections,
-            replace_source=replace_source,
-            accept_truncated=accept_truncated,
-            progress=progress,
-        )
-        return Exported(saved, READ_BACK, None)
-    proofs: list[tuple[str, CheckReport]] = []
-
-    def prove(copy: Path, record: Provenance | None) -> None:
-        claim = Claim.of(source, copy, changes.runs)
-        sentence = (
-            second_opinion(claim, progress) if apart is None else apart(second_opinion, claim)
-        )
-        check = check_files(source.path, copy, record)
-        if not check.passed:
-            raise MocapmendError(
-                f"The written file is wrong and was removed: {check.other_differences[0]}",
-                str(out),
-                "Please report this.",
-            )
-        proofs.append((sentence, check))
-        progress(1.0)
-
-    saved = save_patched(
-        source,
-        changes.runs,
-        out,
-        repairs=changes.repairs,
-        kept_open=changes.kept_open,
-        corrections=changes.corrections,
-        replace_source=replace_source,
-        accept_truncated=accept_truncated,
-        progress=part(progress, 0.0, 0.3),
-        confirm=prove,
-    )
-    return Exported(saved, *proofs[0])
-
-
-def _labels(source: Source, changes: Changes) -> tuple[str, ...]:
-    """Return what the markers of a copy are called."""
-    labels = list(source.recording.labels)
-    for point, label in changes.labels(source).items():
-        labels[source.markers_by_point[point + 1]] = label
-    return tuple(labels)
-
-
-def second_opinion(claim: Claim, progress: Progress) -> str:
-    """Confirm what an export has written; see `Claim.confirm`."""
-    return claim.confirm(part(progress, 0.3, 0.9))
-
-
 def check(original: Path, repaired: Path, progress: Progress) -> CheckReport:
     """Compare two files; see `check_files`.
 
@@ -462,7 +286,8 @@ def write_report(
         If the name says neither, or if it cannot be written.
     """
     report.check_report_ending(path)
-    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
+    done = about.put_right
+    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress, done)
     report.write_report(summary, about, path)
 
 
@@ -479,5 +304,6 @@ def report_figures(
 
     The lists of repairs and open gaps, which the window has, are left out: they may be long.
     """
-    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress)
+    done = about.put_right
+    summary = report.summarise(before, after, skeleton, repairs, unfilled, progress, done)
     return replace(summary, repairs=(), open_gaps=()), report.describe(summary, about)

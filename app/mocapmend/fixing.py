@@ -89,6 +89,11 @@ def is_fixable(run: BadRun) -> bool:
     return registry.detector(run.kind).remedy == "missing" or run.other is not None
 
 
+def exchanged_kinds(found: Iterable[BadRun]) -> tuple[str, ...]:
+    """Return the ids of the detectors that found what is to be exchanged, one for each problem."""
+    return tuple(run.kind for run in found if registry.remedy(run) == "exchange")
+
+
 def remedies(found: Sequence[BadRun]) -> tuple[list[Exchange], dict[Gap, Doubt]]:
     """Return what puts bad samples right: exchanges, and runs to be set aside after these."""
     exchanges, aside = [], {}

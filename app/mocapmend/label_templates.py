@@ -9,7 +9,7 @@ from mocapmend.files.atomic import write_bytes
 from mocapmend.files.opening import read_whole
 from mocapmend_algorithms import Progress, Recording
 from mocapmend_algorithms.labelling import LabelModel
-from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.progress import part
 from mocapmend_algorithms.skeleton import match_template
 from mocapmend_resources import skeletons

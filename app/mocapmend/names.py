@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import is_dataclass, replace
 from typing import Any
 
-from mocapmend_algorithms.problems.fragments import is_unlabelled
+from mocapmend_algorithms.names import is_unlabelled
 
 
 def short_names(labels: Sequence[str]) -> tuple[str, ...]:

@@ -99,7 +99,7 @@ class ProblemList:
                     run.start,
                     run.length,
                     status,
-                    _NUMBER_OF.get(run.kind, len(ALL_KINDS) - 1),
+                    _number_of(run.kind),
                 )
                 for run, status in listed
             ],
@@ -125,16 +125,16 @@ class ProblemList:
 
     def place_of(self, gap: Gap) -> int | None:
         """Return the place of a gap."""
-        return self._place(gap, slice(0, self._first_bad))
+        return self._place(gap, GAP, slice(0, self._first_bad))
 
     def place_of_bad(self, run: BadRun) -> int | None:
         """Return the place of a bad run."""
-        place = self._place(place_of(run), slice(self._first_bad, None))
+        place = self._place(place_of(run), run.kind, slice(self._first_bad, None))
         return None if place is None else self._first_bad + place
 
-    def _place(self, gap: Gap, part: slice) -> int | None:
+    def _place(self, gap: Gap, kind: str, part: slice) -> int | None:
         same = (self.marker[part] == gap.marker) & (self.start[part] == gap.start)
-        same &= self.length[part] == gap.length
+        same &= (self.length[part] == gap.length) & (self.kind[part] == _number_of(kind))
         places = np.flatnonzero(same)
         return int(places[0]) if len(places) else None
 
@@ -202,6 +202,11 @@ class ProblemList:
         return places[
             np.lexsort((self.marker[places], self.start[places], -key if falling else key))
         ]
+
+
+def _number_of(kind: str) -> int:
+    # Files may name kinds of other versions.
+    return _NUMBER_OF.get(kind, len(ALL_KINDS) - 1)
 
 
 def _made(gap: Gap, repair: Repair) -> Preview:

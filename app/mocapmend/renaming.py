@@ -5,8 +5,7 @@ from collections.abc import Sequence
 
 from mocapmend.errors import MocapmendError
 from mocapmend.names import short_names, subject_of
-from mocapmend_algorithms.labelling.names import is_meaningful
-from mocapmend_algorithms.problems.fragments import is_unlabelled
+from mocapmend_algorithms.names import is_meaningful, is_unlabelled
 
 MOST_BYTES = 255
 """Of a label: more cannot be said in a C3D file."""

@@ -11,6 +11,7 @@ import numpy as np
 from mocapmend.changes import Repaired, earlier, filled, smoothed
 from mocapmend.engine import Exported
 from mocapmend.files import Source
+from mocapmend.fixing import exchanged_kinds
 from mocapmend.layers import Layers
 from mocapmend.prospects import Way
 from mocapmend.report import (
@@ -32,7 +33,7 @@ from mocapmend_algorithms.fill.contract import FillResult
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.fill.registry import Method
 from mocapmend_algorithms.problems import BadRun
-from mocapmend_algorithms.problems.registry import detector, remedy
+from mocapmend_algorithms.problems.registry import detector
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.smooth.contract import SmoothResult
 
@@ -132,17 +133,26 @@ class Outcome:
             earlier_program=provenance.program if provenance is not None else "",
             proof=() if self.exported is None else self.exported.sentences,
             edits=self._edits(),
-            put_right=self._put_right,
+            put_right=self.put_right,
         )
 
     @cached_property
-    def _put_right(self) -> PutRight:
-        found = Counter(run.kind for run in self.fixed if remedy(run) == "exchange")
+    def put_right(self) -> PutRight:
+        """What was set aside, exchanged and smoothed, by earlier repairs too."""
+        found = Counter(exchanged_kinds(self.fixed))
         smoothed = (
             SmoothRow.of(run, one.method, one.parameters, one.chosen, one.rms_change_mm)
             for run, one in self.made.smoothed.items()
         )
-        return put_right(self.layers.set_aside, self.layers.moves, smoothed, found)
+        layers = self.layers
+        return put_right(
+            layers.set_aside,
+            layers.moves,
+            smoothed,
+            found,
+            moved_before=layers.source.moves,
+            renamed=self.made.renamed,
+        )
 
     @property
     def method_text(self) -> str:
@@ -173,7 +183,15 @@ class Outcome:
         """Return what a paper says about it."""
         no_bones = Skeleton("", (), "none")
         rows, unfilled = self.all_repairs, self.result.unfilled
-        figures = summarise(self.source.measured, self.after, no_bones, rows, unfilled, no_progress)
+        figures = summarise(
+            self.source.measured,
+            self.after,
+            no_bones,
+            rows,
+            unfilled,
+            no_progress,
+            self.put_right,
+        )
         return describe(figures, self.about)
 
     def _edits(self) -> tuple[EditRow, ...]:

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 
 from mocapmend.document import Document
 from mocapmend.edits import Edit
-from mocapmend.replaying import Plan
+from mocapmend.recipe_plan import Planned
 from mocapmend.state import SampleState
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import FillResult
 
 
-def replayed(document: Document, planned: Plan, results: Sequence[FillResult]) -> list[Edit]:
+def replayed(document: Document, planned: Planned, results: Sequence[FillResult]) -> list[Edit]:
     """Return the edits that a recipe makes.
 
     Gaps that the user has marked as never to be filled stay so, unless the recipe says otherwise.

@@ -12,14 +12,16 @@ from mocapmend.fixing import is_fixable
 from mocapmend.ranking import Status
 from mocapmend.relabelling import LEFT_OVER
 from mocapmend.state import OPEN, SampleState
+from mocapmend.unsure_labels import UNSURE, UnsureLabels
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.corrections import Move
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.problems.registry import DETECTORS
 
 LABELS = LEFT_OVER.problem
-KINDS = (*DETECTORS, LABELS, BY_HAND)
-"""Of bad runs: the ids of the detectors, what labelling and the user set aside without one."""
+KINDS = (*DETECTORS, UNSURE, LABELS, BY_HAND)
+"""Of bad runs: the ids of the detectors, labels to be looked at, what labelling and the user set
+aside."""
 BY_NAME = "fragments"
 """The kind that is found by the names of points."""
 _Of = tuple[str, int, int | None]
@@ -45,10 +47,17 @@ class Suspects:
     ----------
     document : Document
         The recording.
+
+    Attributes
+    ----------
+    labels : UnsureLabels
+        The labels that somebody should look at. They are listed beside the bad samples, and are
+        none: neither drawn as such nor fixed with others.
     """
 
     def __init__(self, document: Document) -> None:
         self._document = document
+        self.labels = UnsureLabels(document)
         self._found: dict[int, Sequence[BadRun]] = {}
         """By the revision of the document's base, the latest last."""
         self._left: Sequence[BadRun] = ()
@@ -127,6 +136,19 @@ class Suspects:
         # Ends may differ by what else was corrected between two searches.
         return any(_overlap(run, other) for other in self._dismissed.get(_of(run), ()))
 
+    def status(self, run: BadRun) -> Status | None:
+        """Return what has become of a run; None where it is a problem no more."""
+        if run.kind == UNSURE:
+            return self.labels.status(run)
+        if run in self._latest():
+            return Status.DISMISSED if self.is_dismissed(run) else Status.FOUND
+        return Status.FIXED if run in self.fixed() else None
+
+    def is_open(self, run: BadRun) -> bool:
+        """Say whether there is something to be decided about a run."""
+        status = self.status(run)
+        return status is not None and (run.kind == UNSURE or status is not Status.FIXED)
+
     def listed(self) -> list[Suspect]:
         """Return all of them: found, fixed and dismissed ones, in no order that means anything."""
         latest = self._latest()
@@ -134,6 +156,7 @@ class Suspects:
         return [
             *map(Suspect, latest, status),
             *(Suspect(run, Status.FIXED) for run in self.fixed()),
+            *(Suspect(run, status) for run, status in self.labels.listed()),
         ]
 
     def fixed(self) -> list[BadRun]:
@@ -178,9 +201,9 @@ class Suspects:
 def gap_to_be(document: Document, run: BadRun) -> Gap | None:
     """Return the gap that bad samples are part of once they are set aside, or are already.
 
-    None where they are to be exchanged, or are filled.
+    None where they are to be exchanged or labelled, or are filled.
     """
-    if len(markers_of(run)) > 1:
+    if run.kind == UNSURE or len(markers_of(run)) > 1:
         return None
     states = document.state[:, run.marker]
     is_open = np.isin(states, OPEN)

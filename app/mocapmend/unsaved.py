@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from mocapmend import engine
 from mocapmend.changes import Changes, Repaired, renames, smoothed_record
-from mocapmend.engine import Apart, Exported
+from mocapmend.exporting import Apart, Exported
 from mocapmend.files import KeptGap, RepairRecord, SmoothedRun, Source
 from mocapmend.layers import Layers
 from mocapmend.written import Places

@@ -8,6 +8,11 @@ def count(number: int, thing: str) -> str:
     return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
 
 
+def was(number: int) -> str:
+    """Return "was" for one, "were" for others."""
+    return "was" if number == 1 else "were"
+
+
 def span(first: int, last: int) -> str:
     """Return "7-12", or "7" for one frame."""
     return f"{first}-{last}" if last > first else f"{first}"

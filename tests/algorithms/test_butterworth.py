@@ -34,7 +34,7 @@ def banded(bandwidth, rate, frames, *, seed=0):
 
 
 def test_winters_correction():
-    # W09's factor for two passes of order 2, where the frequencies are far below half the rate.
+    # Winter's factor for two passes of order 2, where the frequencies are far below half the rate.
     assert 6 / pass_cutoff(6, 1e6, 4) == pytest.approx(0.802, abs=5e-4)
     assert pass_cutoff(6, 100, 4) < pass_cutoff(6, 100, 2)
     assert pass_cutoff(49.9, 100, 4) < 50

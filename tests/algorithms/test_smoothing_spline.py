@@ -11,6 +11,8 @@ from synthetic import record
 from mocapmend_algorithms.fill import woltring
 from mocapmend_algorithms.smooth.gcv import choose
 from mocapmend_algorithms.smooth.spline import (
+    OVERLAP,
+    SQUARE,
     by_axis,
     cutoff_grid,
     degrees_left,
@@ -56,6 +58,25 @@ def test_the_trace_is_that_of_the_matrix(order):
     identity = np.eye(FRAMES)
     for p, left in zip(PENALTIES, degrees_left(FRAMES, PENALTIES, order), strict=True):
         assert left == pytest.approx(np.trace(residuals(identity, p, order)), rel=1e-6)
+
+
+@pytest.mark.parametrize("order", [2, 3])
+@pytest.mark.parametrize("rate", [25.0, 120.0, 1000.0])
+def test_far_from_the_ends_each_sample_leaves_what_waves_leave_on_average(order, rate):
+    """Szegő's theorem: the pivots go to the geometric mean of the matrix' spectrum."""
+    penalties = tuple(penalty(cutoff, rate, order) for cutoff in cutoff_grid(rate))
+    waves = np.pi * (np.arange(200_000) + 0.5) / 200_000
+    overlap, square = (
+        diagonals[order][0]
+        + 2.0 * diagonals[order][1:] @ np.cos(np.outer(range(1, order + 1), waves))
+        for diagonals in (OVERLAP, SQUARE)
+    )
+    mean = [np.mean(p * square / (overlap + p * square)) for p in penalties]
+    for samples in (4_000, 100_000):
+        more = degrees_left(samples + 100, penalties, order) - degrees_left(
+            samples, penalties, order
+        )
+        np.testing.assert_allclose(more / 100, mean, rtol=1e-5)
 
 
 @pytest.mark.parametrize(("order", "passes"), [(2, 1), (3, 2)])

@@ -301,6 +301,7 @@ class TestFix:
         np.testing.assert_array_equal(document.points[rows, pair], before[rows, pair[::-1]])
         at_rest(workspace, qtbot)
         assert ("swaps", SWAP) not in kinds_found(workspace)
+        assert workspace.facts.about().put_right.found_as == (("swaps", 1),)
         assert ("spikes", SPIKE) in kinds_found(workspace)
         choose(workspace, Status.FIXED)
         assert listed(workspace, Column.MARKER) == ["RELB ↔ LWRA"]

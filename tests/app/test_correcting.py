@@ -2,6 +2,8 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,7 @@ from numpy.typing import NDArray
 from test_layers import FRAMES, MARKERS, SPIKE, SWAP, near, same, write
 
 from mocapmend import engine, recipe, replaying
+from mocapmend.beneath import beneath, share_beneath, without_smoothing
 from mocapmend.commands import EditSamples
 from mocapmend.correcting import step
 from mocapmend.document import NO_SKELETON, Document
@@ -63,9 +66,9 @@ def fill(document: Document, *gaps: Gap) -> None:
 
 def smooth(document: Document, *runs: Gap, method: str = "butterworth") -> None:
     params = SMOOTHERS[method].params()
-    shown = document.share_beneath().recording()
+    shown = share_beneath(document).recording()
     result = engine.smooth(shown, list(runs), method, params, no_progress)
-    push(document, Edit.smoothings(result, document.beneath))
+    push(document, Edit.smoothings(result, partial(beneath, document)))
 
 
 def held(document: Document) -> tuple[NDArray[np.float64], ...]:
@@ -108,6 +111,20 @@ def test_an_exchange_takes_gaps_and_doubts_along(document: Document) -> None:
     expected = corrected(document.original, [Exchange(0, 2, 4, 12)], document.doubts)
     assert same(document.base.points, expected.points)
     assert same(document.points, expected.points)
+
+
+def test_the_journal_knows_which_detector_found_an_exchange(document: Document) -> None:
+    correct(document, exchanges=[SWAP], found_as=("swaps",))
+    command = document.undo_stack.command(0)
+    assert isinstance(command, EditSamples)
+    event, _ = encode(command.text(), command.edits, command.correction)
+    event = json.loads(json.dumps(event))
+    again = decode_correction(event, document.original)
+    assert again == command.correction
+    assert again is not None
+    assert again.found_as == ("swaps",)
+    del event["correction"]["found_as"]
+    assert decode_correction(event, document.original) == replace(again, found_as=())
 
 
 def test_a_protected_gap_that_is_exchanged_is_a_gap_again(document: Document) -> None:
@@ -196,7 +213,7 @@ def test_stretches_of_a_marker_are_smoothed_one_after_another(document: Document
     assert [edit.gap for edit in last(document).unsmoothed] == [Gap(1, 2, 18), Gap(1, 20, 38)]
     document.undo_stack.undo()
     assert equal(held(document), both)
-    off = [document.beneath(Gap(1, 2, 18))]
+    off = [beneath(document, Gap(1, 2, 18))]
     taken = EditSamples(document, off, "take smoothing off B")
     assert not taken.unsmoothed, "the one that is taken off is named once, the other one stays"
     document.undo_stack.push(taken)
@@ -213,7 +230,7 @@ def test_a_file_that_was_smoothed_and_is_smoothed_again_stays_so_without_that(
     before = held(again)
     for run in (Gap(1, 4, 36), Gap(1, 10, 40)):
         smooth(again, run)
-        off = again.without_smoothing(again.smoothed)
+        off = without_smoothing(again, again.smoothed)
         assert [edit.gap for edit in off] == [run]
         again.undo_stack.push(EditSamples(again, off, "take smoothing off B"))
         assert equal(held(again), before)
@@ -239,7 +256,7 @@ def test_a_smoothed_file_stays_so(tmp_path: Path, document: Document) -> None:
     again = opened(read_c3d(tmp_path / "out.c3d"))
     assert list(again.smoothed) == [Gap(1, 4, 36)]
     assert (again.state[4:36, 1] == SampleState.SMOOTHED).all()
-    assert again.without_smoothing([Gap(1, 0, FRAMES)]) == []
+    assert without_smoothing(again, [Gap(1, 0, FRAMES)]) == []
     unchanged = again.unsaved().changes()
     engine.export(again.source, unchanged, tmp_path / "same.c3d", False, False, no_progress)
     assert (tmp_path / "same.c3d").read_bytes() == (tmp_path / "out.c3d").read_bytes()
@@ -306,6 +323,7 @@ def test_whatever_is_done(tmp_path: Path, done: list[Callable[[Document], None]]
         event = json.loads(json.dumps(event))
         text, edits = decode(event, data, again.original)
         correction = decode_correction(event, again.original)
+        assert correction == command.correction
         labels = decode_labels(event, again.original)
         again.undo_stack.push(EditSamples(again, edits, text, correction, labels))
     assert again.labels == document.labels

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from c3d_synthetic import Synthetic, encode, walk
 
-from mocapmend import engine
+from mocapmend import engine, exporting
 from mocapmend.errors import MocapmendError
 from mocapmend.files import CheckReport, Provenance, Source, Stamp, read_c3d
 from mocapmend.shared_memory import block_of
@@ -153,12 +153,12 @@ def test_replacing_the_source_is_proved_like_any_export(holed: Path) -> None:
 def test_a_failed_proof_leaves_no_file(
     holed: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    real = engine.check_files
+    real = exporting.check_files
 
     def pessimist(original: Path, repaired: Path, record: Provenance | None) -> CheckReport:
         return replace(real(original, repaired, record), other_differences=("7 bytes differ.",))
 
-    monkeypatch.setattr(engine, "check_files", pessimist)
+    monkeypatch.setattr(exporting, "check_files", pessimist)
     with pytest.raises(MocapmendError, match="7 bytes differ"):
         export(holed, tmp_path / "out.c3d")
     assert [path.name for path in tmp_path.iterdir()] == ["holed.c3d"]

@@ -48,8 +48,8 @@ SPOKEN = (
     *(
         ROOT / f"app/mocapmend/{name}.py"
         for name in (
-            *("engine", "jobs", "label_templates", "plan", "recipe", "replaying", "training"),
-            "user_templates",
+            *("engine", "jobs", "label_templates", "plan", "recipe", "recipe_plan"),
+            *("replaying", "training", "user_templates"),
         )
     ),
     ROOT / "app/mocapmend/report/writing.py",

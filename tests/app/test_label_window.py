@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QComboBox, QFileDialog
 from pytestqt.qtbot import QtBot
 from scrambled import write_scrambled
 
@@ -14,15 +14,18 @@ from mocapmend import engine
 from mocapmend.bench.labels.scrambling import GHOST, NOTHING, Scrambled
 from mocapmend.files import read_c3d
 from mocapmend.label_review import Decision, LabelReview
+from mocapmend.ranking import Status
 from mocapmend.settings import KEEP_NAMES, LABELLED_FILES, Settings
+from mocapmend.unsure_labels import UNSURE
 from mocapmend.views.label_chooser import LabelChooser
 from mocapmend.views.label_dialog import LabelDialog
 from mocapmend.views.label_table import Column
 from mocapmend.views.main_window import MainWindow
+from mocapmend.views.queue_model import TO_DO
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.labelling import Labelling, LabelParams
-from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.names import without_subject
 
 Open = Callable[[Path], MainWindow]
 
@@ -168,6 +171,92 @@ def test_proposals_are_reviewed_by_keyboard_and_applied_in_one_step(
     assert pane.applying.isEnabled(), "the proposals are there again"
     document.undo_stack.redo()
     assert right_share(workspace, scrambled) > 0.99
+
+
+def choose(combo: QComboBox, value: object) -> None:
+    """Choose what stands for a value in one of the queue's filters."""
+    (row,) = [row for row in range(combo.count()) if combo.itemData(row) == value]
+    combo.setCurrentIndex(row)
+
+
+def test_unsure_labels_are_reviewed_in_the_queue(
+    workspace: Workspace, window: MainWindow, review: LabelReview, qtbot: QtBot
+) -> None:
+    queue, view, document = workspace.queue, workspace.view, workspace.document
+    workspace.labels.least.setValue(100)
+    every = [row for row in range(len(review)) if review.proposal(row).confidence < 1.0]
+    choose(queue.kind, (UNSURE,))
+    qtbot.waitUntil(lambda: queue.model.rowCount() == len(every))
+    harm = [queue.model.problem(row).harm for row in range(len(every))]
+    assert harm == sorted(harm, reverse=True)
+    assert harm[0] > 0.0
+
+    # The next one is where its piece is, in all views; the pane of labels marks it too.
+    window.actions_by_id["next_gap"].trigger()
+    run = view.suspect
+    assert run is not None
+    row = workspace.labels.table.currentIndex().row()
+    proposal = review.proposal(row)
+    assert (run.marker, run.start, run.stop) == tuple(proposal.piece)
+    assert run.score == proposal.confidence
+    assert view.selection == (proposal.piece.point,)
+    assert view.preview is None
+
+    # Enter accepts it, Shift+D rejects the one after it; nothing changes in the recording.
+    workspace.apply(go_on=True)
+    assert review.decision(row) is Decision.ACCEPTED
+    assert view.suspect is not None
+    second = workspace.labels.table.currentIndex().row()
+    assert second != row
+    window.actions_by_id["dismiss_problem"].trigger()
+    assert review.decision(second) is Decision.REJECTED
+    qtbot.waitUntil(lambda: queue.model.rowCount() == len(every) - 2)
+    assert not document.undo_stack.count()
+    choose(queue.status, frozenset({Status.DISMISSED}))
+    qtbot.waitUntil(lambda: queue.model.rowCount() == 1)
+    choose(queue.status, TO_DO)
+
+    # Fixing a kind or all of them accepts none: that is for somebody to decide.
+    window.actions_by_id["next_gap"].trigger()
+    window.actions_by_id["fix_kind"].trigger()
+    assert not document.undo_stack.count()
+    assert [review.decision(k) for k in every].count(Decision.NONE) == len(every) - 2
+
+    # They are listed as long as they are for the recording as it is.
+    window.actions_by_id["apply_labels"].trigger()
+    assert document.undo_stack.count() == 1
+    qtbot.waitUntil(lambda: not queue.model.rowCount())
+    assert view.suspect is None
+    document.undo_stack.undo()
+    qtbot.waitUntil(lambda: queue.model.rowCount() == len(every) - 2)
+
+
+def test_when_all_unsure_labels_are_looked_at_it_is_said(
+    workspace: Workspace, review: LabelReview, qtbot: QtBot
+) -> None:
+    workspace.labels.least.setValue(100)
+    queue = workspace.queue
+    choose(queue.kind, (UNSURE,))
+    told: list[str] = []
+    workspace.message.connect(told.append)
+    left = workspace.search.suspects.labels.left
+    assert left
+    assert queue.step(1)
+    for _ in range(left):
+        workspace.apply(go_on=True)
+    assert not workspace.search.suspects.labels.left
+    assert "apply them" in told[-1]
+    assert not queue.step(1)
+
+
+def test_a_row_of_the_pane_is_the_current_problem(
+    workspace: Workspace, review: LabelReview, qtbot: QtBot
+) -> None:
+    workspace.labels.least.setValue(100)
+    unsure = workspace.search.suspects.labels
+    row = next(row for row in range(1, len(review)) if unsure.run(row) is not None)
+    workspace.labels.table.selectRow(row)
+    assert workspace.view.suspect == unsure.run(row)
 
 
 def test_another_label_is_chosen(workspace: Workspace, review: LabelReview) -> None:

@@ -411,7 +411,7 @@ def test_edits_during_an_export_are_not_proved(
     revert(window, 0)
     qtbot.waitUntil(lambda: not window.files.writing, timeout=20_000)
     assert workspace.report._proof.text() == "Edited since early.c3d was exported."
-    assert workspace.last_export == tmp_path / "early.c3d"
+    assert workspace.proofs.last_export == tmp_path / "early.c3d"
 
 
 # --- corrections -----------------------------------------------------------------------------

@@ -8,8 +8,9 @@ import pytest
 from mocapmend import report
 from mocapmend.cli import main
 from mocapmend.doubts import BY_HAND, Doubt
+from mocapmend.files import Renamed
 from mocapmend.report import About, RepairRow, SmoothRow, describe, put_right
-from mocapmend.report.content import contents
+from mocapmend.report.content import Text, contents
 from mocapmend.report.sources import SMOOTHING
 from mocapmend.report.tables import Table
 from mocapmend_algorithms import Gap, Recording, no_progress
@@ -113,6 +114,68 @@ def test_samples_that_were_exchanged_into_gaps_are_no_unknown_fills() -> None:
     done = put_right({}, MOVES, [])
     assert "not known" not in describe(figures, About("w.c3d", put_right=done)).paragraph
     assert "not known" in describe(figures, About("w.c3d")).paragraph
+
+
+def test_bad_samples_were_not_tracked_and_have_their_own_number() -> None:
+    points = np.zeros((50, 2, 3))
+    points[40:45, 1] = np.nan
+    after = points.copy()
+    after[3:7, 0] = 1.0
+    after[10:30] = after[10:30, ::-1] + 1.0
+    one, other = (Recording(values, ("A", "B"), 100.0) for values in (points, after))
+    done = put_right({Gap(0, 3, 7): Doubt("spikes", "It jumps.")}, MOVES, [])
+    made = report.summarise(one, other, NO_BONES, [], [], no_progress, done)
+    share = np.ones(50)
+    share[3:7] = share[40:45] = 0.5
+    share[10:30] = 0.0
+    assert made.success_before.instantaneous.tolist() == share.tolist()
+    assert (made.missing_before, made.wrong_before) == (5, 44)
+    text = next(
+        part.text
+        for section in contents(made, About("w.c3d", put_right=done)).sections
+        for part in section.parts
+        if isinstance(part, Text) and "wrong:" in part.text
+    )
+    assert "5.00 % of all samples were missing, and 44.00 % were there but wrong" in text
+
+
+def test_what_was_exchanged_before_is_not_wrong_in_the_recording_before() -> None:
+    points = np.zeros((50, 2, 3))
+    one = Recording(points, ("A", "B"), 100.0)
+    done = put_right({}, MOVES, [], moved_before=MOVES)
+    assert done.moved_samples == 40
+    assert not done.wrong_in(one).any()
+
+
+def test_a_bone_is_not_repaired_by_smoothing() -> None:
+    points = np.zeros((50, 3, 3))
+    points[:, :, 0] = 100.0 * np.arange(3)
+    points[20:25, 0] = np.nan
+    after = np.nan_to_num(points) + 1.0
+    one, other = (Recording(values, ("A", "B", "C"), 100.0) for values in (points, after))
+    bones = Skeleton("", ((0, 1), (1, 2)), "distances")
+    smooth = [row(marker, (6.0,) * 3, 0.5) for marker in range(3)]
+    aside = {Gap(2, 3, 7): Doubt("spikes", "It jumps.")}
+    done = put_right(aside, [], smooth)
+    repairs = [RepairRow(Gap(0, 20, 25), "linear"), RepairRow(Gap(2, 3, 7), "linear")]
+    made = report.summarise(one, other, bones, repairs, [], no_progress, done)
+    assert made.bone_repairs.tolist() == [5, 4]
+    assert made.changed.sum(axis=0).tolist() == [5, 4]
+    plain = report.summarise(one, other, bones, repairs, [], no_progress)
+    assert plain.bone_repairs.tolist() == [50, 50]
+
+
+def test_renamed_markers_are_named() -> None:
+    renamed = [Renamed(n + 1, f"old {n}", f"new {n}") for n in range(8)]
+    done = put_right({}, [], [], renamed=renamed)
+    made = contents(figures(), About("w.c3d", put_right=done))
+    assert dict(made.head[0].rows)["Renamed"] == "8 markers"
+    (table,) = next(section.parts for section in made.sections if section.anchor == "names")
+    assert table.rows == tuple((f"old {n}", f"new {n}") for n in range(8))
+    paragraph = describe(figures(), About("w.c3d", put_right=done)).paragraph
+    assert "8 markers were renamed: old 0 to new 0, " in paragraph
+    assert "old 5 to new 5 and 2 more." in paragraph
+    assert "was examined with" in paragraph, "no sample is repaired by it"
 
 
 def test_every_smoothing_method_has_a_phrase_and_a_source() -> None:

@@ -8,8 +8,8 @@ import numpy as np
 from mocapmend_algorithms.arrays import IntArray
 from mocapmend_algorithms.corrections import Exchange, corrected
 from mocapmend_algorithms.gaps import Gap, runs
-from mocapmend_algorithms.labelling.names import without_subject
 from mocapmend_algorithms.labelling.result import Labelled, Labelling
+from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.recording import Recording
 
 

@@ -4,8 +4,8 @@ Two kinds of evidence, both as negative logarithms of densities with heavy tails
 that a wrong neighbour counts little:
 
 - distances to other labels, compared with the model's, as rigid segments are matched by most
-  labelling programs (Meyer, Kuderer, Müller, Burgard 2014, IEEE ICRA, Online marker labeling for
-  fully automatic skeleton tracking in optical motion capture);
+  labelling programs (Meyer, Kuderer, Müller, Burgard 2014, IEEE ICRA, 5652-5657, Online marker
+  labeling for fully automatic skeleton tracking in optical motion capture);
 - the place in a frame of reference that moves with a label's companions, which tells left from
   right, as distances do not.
 """

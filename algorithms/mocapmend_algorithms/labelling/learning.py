@@ -7,20 +7,17 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray, evenly
 from mocapmend_algorithms.labelling.around import COMPANIONS, Companions, companions, frames_around
 from mocapmend_algorithms.labelling.model import LabelModel
-from mocapmend_algorithms.labelling.names import points_by_name
 from mocapmend_algorithms.labelling.upright import upright
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.names import points_by_name
+from mocapmend_algorithms.progress import Progress, no_progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton.distances import PairDistances
+from mocapmend_algorithms.skeleton.distances import CENTRAL, WIDTH_IN_SD, PairDistances
 from mocapmend_algorithms.skeleton.segments import find_segments
 
 MOST_FRAMES = 400
 """Looked at of each recording."""
 MOST_POSES = 24
 LEAST_LABELS = 4
-CENTRAL = (0.05, 0.5, 0.95)
-WIDTH_IN_SD = 3.29
-"""The width of the central 90 % of a normal distribution, in standard deviations."""
 ROUNDS = 3
 
 
@@ -36,18 +33,18 @@ def learn(
             f"the recordings to learn from show {len(labels)} named markers; at least "
             f"{LEAST_LABELS} are needed that are seen together"
         )
-    length, spread = measure(points, progress)
+    length, spread = measure(points, part(progress, 0.1, 0.8))
     company = companions(length, spread, COMPANIONS)
     poses = _choose_poses(points)
     shapes, wander = mean_shapes(points, company, poses[0])
     progress(0.9)
     if segments:
         index = {label: k for k, label in enumerate(labels)}
-        parts = [tuple(index[name] for name in part if name in index) for part in segments]
+        parts = [tuple(index[name] for name in names if name in index) for names in segments]
     else:
-        parts = [part.markers for part in find_segments(PairDistances(length, spread))]
+        parts = [each.markers for each in find_segments(PairDistances(length, spread))]
     progress(1.0)
-    chosen = tuple(part for part in parts if part)
+    chosen = tuple(filter(None, parts))
     return LabelModel(labels, length, spread, shapes, wander, poses, chosen)
 
 
@@ -95,14 +92,14 @@ def _size_beside(points: FloatArray, first: FloatArray) -> float:
     return float(np.median(ratios)) if ratios.size else 1.0
 
 
-def measure(points: FloatArray, progress: Progress | None = None) -> tuple[FloatArray, FloatArray]:
+def measure(points: FloatArray, progress: Progress = no_progress) -> tuple[FloatArray, FloatArray]:
     """Measure the distances of all pairs, in all of the frames that are given.
 
     Parameters
     ----------
     points : ndarray, shape (frames, labels, 3)
         NaN = missing.
-    progress : Progress, optional
+    progress : Progress
         Called once per label.
 
     Returns
@@ -113,8 +110,7 @@ def measure(points: FloatArray, progress: Progress | None = None) -> tuple[Float
     count = points.shape[1]
     length, spread = np.full((2, count, count), np.nan)
     for one in range(count):
-        if progress is not None:
-            progress(0.1 + 0.7 * one / count)
+        progress(one / count)
         apart = np.linalg.norm(points - points[:, one, None], axis=2)
         apart.sort(axis=0)
         seen = apart.shape[0] - np.isnan(apart).sum(axis=0)

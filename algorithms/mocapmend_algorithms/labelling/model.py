@@ -1,8 +1,8 @@
 """What is learned of labelled recordings, to label others."""
 
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,6 +12,8 @@ from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.recording import Recording
 
 SCHEMA = 1
+LARGEST_MM = 1e6
+"""No body is a kilometre large."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,6 +122,7 @@ class LabelModel:
             count = len(document["labels"])
             arrays = {name: np.array(document[name], np.float64) for name in cls.ARRAYS}
             arrays["poses"] = arrays["poses"].reshape(-1, count, 3)
+            _require_sound(arrays)
             return cls(
                 labels=tuple(str(label) for label in document["labels"]),
                 segments=tuple(tuple(int(k) for k in part) for part in document["segments"]),
@@ -129,10 +132,21 @@ class LabelModel:
             raise ValueError(f"this is no model of labels: {error!r}") from error
 
 
+def _require_sound(arrays: Mapping[str, FloatArray]) -> None:
+    """Refuse numbers that no body has: a file may have been damaged or edited."""
+    for name, values in arrays.items():
+        if (np.abs(values) > LARGEST_MM).any():
+            raise ValueError(f"{name} has a number that is too large")
+    for name in ("length", "spread", "wander"):
+        if (arrays[name] < 0).any():
+            raise ValueError(f"{name} has a negative number")
+    for name in ("shapes", "poses"):
+        unknown = np.isnan(arrays[name])
+        if (unknown.any(axis=-1) != unknown.all(axis=-1)).any():
+            raise ValueError(f"{name} has a place with some coordinates and not others")
+
+
 def _rounded(array: FloatArray) -> Any:
     listed = np.round(array, 2).astype(object)
     listed[np.isnan(array)] = None
     return listed.tolist()
-
-
-assert {"labels", "segments", *LabelModel.ARRAYS} == {field.name for field in fields(LabelModel)}

@@ -6,11 +6,11 @@ import numpy as np
 
 from mocapmend_algorithms.labelling.confidence import judged
 from mocapmend_algorithms.labelling.model import LabelModel
-from mocapmend_algorithms.labelling.names import named_points
 from mocapmend_algorithms.labelling.pieces import cut_pieces
 from mocapmend_algorithms.labelling.result import Labelled, Labelling
 from mocapmend_algorithms.labelling.search import Search
 from mocapmend_algorithms.labelling.upright import upright
+from mocapmend_algorithms.names import named_points
 from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording

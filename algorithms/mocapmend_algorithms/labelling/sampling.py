@@ -87,15 +87,15 @@ def sample(points: FloatArray, pieces: Sequence[Piece]) -> Sampled:
         if lacking > 0 and (own.sum() == 0 or chosen.sum() < MOST_FRAMES):
             places = (np.arange(lacking) + 0.5) / lacking * piece.length
             own[places.astype(np.int64)] = True
-    return gathered(points, pieces, np.flatnonzero(chosen))
+    return _gathered(points, pieces, np.flatnonzero(chosen))
 
 
-def gathered(points: FloatArray, pieces: Sequence[Piece], frames: IntArray) -> Sampled:
-    """Return what is seen in given frames."""
-    number = np.full(points.shape[:2], -1, np.int64)
+def _gathered(points: FloatArray, pieces: Sequence[Piece], frames: IntArray) -> Sampled:
+    """Return what is seen in given frames, which ascend."""
+    there = np.full((len(frames), points.shape[1]), -1, np.int64)
     for k, piece in enumerate(pieces):
-        number[piece.start : piece.stop, piece.point] = k
-    there = number[frames]
+        first, stop = np.searchsorted(frames, (piece.start, piece.stop))
+        there[first:stop, piece.point] = k
     slots = int((there >= 0).sum(axis=1).max(initial=0))
     order = np.argsort(there < 0, axis=1, kind="stable")[:, :slots]
     taken = np.take_along_axis(there, order, axis=1)

@@ -1,14 +1,15 @@
 """The search for the labels of all pieces.
 
-As in Holzreiter 2005 (Clinical Biomechanics 20:1-8) and Clouthier, Ross, Mavor, Coll, Boyle, Graham
-2021 (IEEE Access 9:36664-36675), single frames are labelled and the verdict is the whole
-trajectory's; as in Ghorbani, Etemad, Troje 2019 (Computer Graphics International, LNCS 11542:167)
-the labels of a frame exclude each other, and time corrects what a frame alone gets wrong. In place
-of a trained network there is a labelled recording: its poses give the first labels, and its
-distances, which are those of rigid segments above all, the final ones.
+As in Ghorbani, Etemad, Troje 2019 (Auto-labelling of markers in optical motion capture by
+permutation learning, arXiv:1907.13580), the labels of a frame exclude each other, and time corrects
+what a frame alone gets wrong: here, a piece of a trajectory has one label. As in Clouthier, Ross,
+Mavor, Coll, Boyle, Graham 2021 (IEEE Access, doi:10.1109/ACCESS.2021.3062748), the Hungarian
+algorithm assigns them. In place of their trained networks, and that of Holzreiter 2005 (Clinical
+Biomechanics, doi:10.1016/j.clinbiomech.2004.04.006), there is a labelled recording: its poses give
+the first labels, and its distances, which are those of rigid segments above all, the final ones.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -89,11 +90,11 @@ class Search:
     def run(self, progress: Progress) -> None:
         """Find the labels."""
         self._begin(part(progress, 0.0, 0.3))
-        self._settle(FIRST_ROUNDS, self._model_s, part(progress, 0.3, 0.45))
+        self._settle(FIRST_ROUNDS, part(progress, 0.3, 0.45), own=False)
         self._compare(part(progress, 0.45, 0.6))
         self.labels = np.where(self.labels >= 0, self.order.order[self.labels], -1)
-        self._settle(FIRST_ROUNDS, self._model_s, part(progress, 0.6, 0.7))
-        self._settle(LAST_ROUNDS, self._own, part(progress, 0.7, 0.9))
+        self._settle(FIRST_ROUNDS, part(progress, 0.6, 0.7), own=False)
+        self._settle(LAST_ROUNDS, part(progress, 0.7, 0.9), own=True)
         self._compare(part(progress, 0.9, 1.0))
         self.away = self._distances()
         progress(1.0)
@@ -123,15 +124,20 @@ class Search:
         self.scale = float(np.median([start.scale for start, _ in starts]))
         self._assign(NOWHERE - votes)
 
-    def _settle(self, most: int, expect: Callable[[], Expectation], progress: Progress) -> None:
-        """Work out what each piece fits best beside the others, until nothing changes."""
+    def _settle(self, most: int, progress: Progress, *, own: bool) -> None:
+        """Work out what each piece fits best beside the others, until nothing changes.
+
+        What is expected is the model's body, or this body's own; then what fits much worse than is
+        usual for a label is ruled out.
+        """
         for number in range(most):
             now = part(progress, number / most, (number + 1) / most)
             believed = self._believed()
             self.scale = size_of(self.model, self.seen.points, believed, self.scale)
             before = self.labels
-            table = self._costs(expect(), believed, now)
-            self._assign(self._without_misfits(table) if expect == self._own else table)
+            expected = self._own_body() if own else self._models_body()
+            table = self._costs(expected, believed, now)
+            self._assign(self._without_misfits(table) if own else table)
             if np.array_equal(before, self.labels):
                 break
 
@@ -147,16 +153,16 @@ class Search:
         return np.where(table > usual + EXCESS, NOWHERE, table)
 
     def _compare(self, progress: Progress) -> None:
-        self.order = best_order(self._model_s(), self._places(), self._orders, progress)
+        self.order = best_order(self._models_body(), self._places(), self._orders, progress)
 
     def _assign(self, table: FloatArray) -> None:
         self.table = table
         self.labels = assign_pieces(table, self.seen, self.pieces, self.fixed, self.frames)
 
-    def _model_s(self) -> Expectation:
+    def _models_body(self) -> Expectation:
         return Expectation.of(self.model, self.scale, FIRST_TOLERANCE)
 
-    def _own(self) -> Expectation:
+    def _own_body(self) -> Expectation:
         own = adapted(self.model, self._places(), self.scale)
         return Expectation.of(own, 1.0, LAST_TOLERANCE)
 
@@ -176,7 +182,7 @@ class Search:
         return self.seen.mean(of, len(self.pieces), len(self.model.labels))
 
     def _distances(self) -> FloatArray:
-        expected, places, believed = self._own(), self._places(), self._believed()
+        expected, places, believed = self._own_body(), self._places(), self._believed()
         frames = expected.frames(places)
         where = frames.place(expected.own)
         where[~frames.known] = np.nan

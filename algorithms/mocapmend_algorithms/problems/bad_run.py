@@ -1,5 +1,6 @@
 """What a detector says about samples that are there but wrong."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -43,4 +44,9 @@ class BadRun:
     @property
     def harm(self) -> float:
         """Deviation times frames, which compares with gaps; 0 where the deviation is unknown."""
-        return self.deviation * self.length if self.deviation == self.deviation else 0.0
+        return 0.0 if math.isnan(self.deviation) else self.deviation * self.length
+
+
+def frames_in_words(count: int) -> str:
+    """Return "1 frame" or "7 frames", for a reason."""
+    return "1 frame" if count == 1 else f"{count} frames"

@@ -6,6 +6,7 @@ those, tells a jump from fast motion, whose corners no cubic fits. This is the i
 tracking filter made two-sided.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -117,6 +118,7 @@ def block_offsets(points: FloatArray, start: int, length: int) -> FloatArray:
     return offsets
 
 
+@lru_cache(maxsize=64)
 def _windows(length: int) -> tuple[IntArray, FloatArray, IntArray, FloatArray]:
     """Return the frames inside and beside a block, counted from its first, and their powers."""
     inside: IntArray = np.arange(length, dtype=np.int64)
@@ -146,7 +148,8 @@ def _least_squares(
     weight = seen.astype(np.float64)
     # A trifle of ridge keeps those solvable that are not usable.
     ridge = np.where(usable, 1e-12, 1.0)[:, None, None] * np.eye(powers.shape[1])
-    gram = np.einsum("np,pi,pj->nij", weight, powers, powers, optimize=True) + ridge
+    products = powers[:, :, None] * powers[:, None, :]
+    gram = np.tensordot(weight, products, axes=1) + ridge
     values = np.where(seen[:, :, None], samples, 0.0)
     # Far from the origin, nothing of the precision is lost.
     centre = values.sum(axis=1) / np.maximum(weight.sum(axis=1), 1.0)[:, None]

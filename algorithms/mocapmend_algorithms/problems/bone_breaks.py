@@ -8,7 +8,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import (
     RigidMates,
@@ -22,6 +22,8 @@ from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
+CHUNK = 2048
+"""Frames that are looked at at once."""
 MOST_BROKEN = 0.6
 """Of the distances of a marker: where more are broken, it is this marker that is wrong."""
 LARGEST_SHARE = 0.2
@@ -70,7 +72,7 @@ def bone_breaks(
     params : BoneBreaksParams
         The thresholds.
     progress : Progress
-        Called once per marker.
+        Called often.
 
     Returns
     -------
@@ -90,13 +92,13 @@ def bone_breaks(
         if not each.markers:
             continue
         away = _excursions(recording, marker, each, params)
-        wrong = share[:, marker] > MOST_BROKEN
+        wrong = share[marker] > MOST_BROKEN
         # Where a mate is even worse off, that is the one that is wrong.
-        wrong &= share[:, marker] >= share[:, each.markers].max(axis=1)
+        wrong &= share[marker] >= share[each.markers].max(axis=0)
         for run in away:
             wrong[run.start : run.stop] = False
         found += sorted(
-            away + _runs_of(recording, marker, wrong, size[:, marker]), key=lambda run: run.start
+            away + _runs_of(recording, marker, wrong, size[marker]), key=lambda run: run.start
         )
     progress(1.0)
     return found
@@ -108,17 +110,27 @@ def _broken(
     params: BoneBreaksParams,
     progress: Progress,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the share of each marker's distances that are broken, and the largest break."""
-    share, size = np.zeros((2, recording.frames, recording.markers))
-    for marker, each in enumerate(mates):
-        progress(marker / recording.markers)
-        if len(each.markers) < 2:
-            continue
-        stretch = stretched(recording, marker, each)
-        gate = np.maximum(params.least_mm, params.times_spread * each.spread)
-        part_broken, known = broken_share(stretch, gate)
-        share[:, marker] = np.where(known, part_broken, 0.0)
-        size[:, marker] = np.where(np.isnan(stretch), 0.0, np.abs(stretch)).max(axis=1)
+    """Measure how broken each marker is.
+
+    Returns
+    -------
+    share : ndarray, shape (markers, frames)
+        Of its distances, those that are broken.
+    size : ndarray, shape (markers, frames)
+        The largest break, in mm.
+    """
+    share, size = np.zeros((2, recording.markers, recording.frames))
+    for start in range(0, recording.frames, CHUNK):
+        progress(start / recording.frames)
+        some = slice(start, start + CHUNK)
+        paths = np.ascontiguousarray(recording.points[some].transpose(1, 2, 0)) * recording.mm
+        for marker, each in enumerate(mates):
+            if len(each.markers) < 2:
+                continue
+            stretch = stretched(paths, marker, each)
+            gate = np.maximum(params.least_mm, params.times_spread * each.spread)
+            share[marker, some] = broken_share(stretch, gate)
+            size[marker, some] = np.fmax.reduce(np.abs(stretch), axis=0, initial=0.0)
     return share, size
 
 
@@ -133,7 +145,7 @@ def _excursions(
         if piece.stop - piece.start < SHORTEST:
             continue
         frames = np.array([piece.start - 1, piece.start, piece.stop - 1, piece.stop])
-        around = recording.points[frames][:, mates.markers] * recording.mm
+        around = recording.points[frames[:, None], mates.markers] * recording.mm
         apart = around - points[frames, None]
         before, first, last, after = np.sqrt(np.einsum("tmk,tmk->tm", apart, apart))
         there, back = first - before, after - last
@@ -177,7 +189,7 @@ def _described(
     recording: Recording, marker: int, start: int, stop: int, size: FloatArray
 ) -> BadRun:
     away = float(np.median(size))
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     return BadRun(
         kind="bone-breaks",
         marker=marker,

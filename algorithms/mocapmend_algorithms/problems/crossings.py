@@ -55,16 +55,16 @@ def find_jumps(recording: Recording, progress: Progress) -> tuple[FloatArray, Bo
         See `own_errors`, in mm.
     jumps : ndarray of bool, shape (frames, markers)
     """
-    errors = np.full((recording.frames, recording.markers), np.nan)
+    errors = np.full((recording.markers, recording.frames), np.nan)
     jumps = np.zeros(errors.shape, dtype=np.bool_)
     for marker in range(recording.markers):
         progress(marker / recording.markers)
         own = own_errors(recording.points[:, marker] * recording.mm)
         gate = np.maximum(LEAST_JUMP_MM, TIMES_LEVEL * running_level(own, recording.rate))
-        errors[:, marker] = own
+        errors[marker] = own
         with np.errstate(invalid="ignore"):
-            jumps[:, marker] = own > gate
-    return errors, jumps
+            jumps[marker] = own > gate
+    return errors.T, jumps.T
 
 
 def find_crossings(

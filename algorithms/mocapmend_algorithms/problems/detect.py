@@ -1,7 +1,8 @@
 """All detectors on one recording, and each wrong sample explained once."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -35,6 +36,8 @@ def detect(
     skeleton: Skeleton,
     ids: Iterable[str] | None,
     progress: Progress,
+    *,
+    params: Mapping[str, Any] | None = None,
 ) -> list[BadRun]:
     """Look for bad samples of several kinds.
 
@@ -45,9 +48,11 @@ def detect(
     skeleton : Skeleton
         Its bones.
     ids : iterable of str or None
-        The detectors, by id; all by default. They have their default parameters.
+        The detectors, by id; all by default.
     progress : Progress
         Called often; may cancel.
+    params : mapping of str to object, optional
+        Parameters by the id of the detector; those that are missing have their defaults.
 
     Returns
     -------
@@ -64,7 +69,8 @@ def detect(
     found = []
     for count, each in enumerate(detectors):
         share = part(progress, count / len(detectors), (count + 1) / len(detectors))
-        found += each.function(recording, skeleton, each.params(), share)
+        own = each.params() if params is None or each.id not in params else params[each.id]
+        found += each.function(recording, skeleton, own, share)
     progress(1.0)
     return explained_once(found, recording.present)
 

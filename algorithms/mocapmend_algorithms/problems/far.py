@@ -7,7 +7,7 @@ import numpy as np
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
@@ -100,7 +100,7 @@ def _described(
     away, size = float(np.median(own[start:stop])), float(np.median(most[start:stop]))
     usual = float(np.median(own[~np.isnan(own)]))
     times = away / max(size, 1.0)
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     return BadRun(
         kind="far",
         marker=marker,

@@ -4,7 +4,6 @@ A piece fits into a gap of a marker: its distances to the neighbours are those o
 it goes on where the marker was lost.
 """
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -13,8 +12,9 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.names import is_unlabelled
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.rigid_mates import RigidMates, rigid_mates
 from mocapmend_algorithms.progress import Progress, part
@@ -22,10 +22,6 @@ from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
-UNLABELLED = re.compile(
-    r"(\*.*|\s*|(unlabell?ed|unidentified|uname|u_|new)[\W_]*\d*)", re.IGNORECASE
-)
-"""As Vicon, Qualisys, OptiTrack and Motion Analysis name points that nobody has named."""
 MOST_OVERLAP = 0.1
 """Of a piece: the frames in which the marker is seen elsewhere."""
 LOOKED_AT = 16
@@ -58,11 +54,6 @@ class _Candidate(NamedTuple):
     marker: int
 
 
-def is_unlabelled(label: str) -> bool:
-    """Whether a label is what a program calls a point that nobody has named."""
-    return UNLABELLED.fullmatch(label.rpartition(":")[2]) is not None
-
-
 def fragments(
     recording: Recording, skeleton: Skeleton, params: FragmentsParams, progress: Progress
 ) -> list[BadRun]:
@@ -86,7 +77,7 @@ def fragments(
         ghost. How far a piece is from the truth is not known.
     """
     pieces = _pieces_of(recording)
-    named = [m for m in range(recording.markers) if m not in pieces]
+    named = [m for m in np.flatnonzero(recording.present.any(axis=0)).tolist() if m not in pieces]
     progress(0.0)
     if not 0 < len(pieces) <= MOST_UNNAMED * recording.markers <= MOST_UNNAMED * MOST_MARKERS:
         return []
@@ -132,7 +123,7 @@ def _ranked(
     frames = np.unique(np.linspace(start, stop - 1, LOOKED_AT).round().astype(np.int64))
     candidates = []
     for marker, each in mates.items():
-        if share[marker] > MOST_OVERLAP or not recording.present[:, marker].any():
+        if share[marker] > MOST_OVERLAP:
             continue
         off = _off(recording, each, recording.points[frames, piece], frames)
         carried = [
@@ -147,7 +138,7 @@ def _ranked(
 
 def _off(recording: Recording, mates: RigidMates, own: FloatArray, frames: IntArray) -> float:
     """Return by how much the distances to a marker's neighbours are off, in usual deviations."""
-    around = recording.points[frames][:, mates.markers]
+    around = recording.points[frames[:, None], mates.markers]
     apart = (around - own[:, None]) * recording.mm
     length = np.sqrt(np.einsum("nmk,nmk->nm", apart, apart))
     off = np.abs(length - mates.length) / np.hypot(mates.spread, FLOOR_MM)
@@ -178,7 +169,7 @@ def _described(
 ) -> BadRun:
     margin = ranked[1].off - ranked[0].off if len(ranked) > 1 else MOST_OFF
     fits = bool(ranked) and ranked[0].off <= MOST_OFF and margin >= CLEARLY
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     if not fits:
         sure = min(ranked[0].off / MOST_OFF, 2.0) / 2.0 if ranked else 1.0
         reason = f"It is seen for {frames} and {_why_not(recording, ranked)}."

@@ -55,7 +55,7 @@ class Likeness:
         if not mates:
             return np.zeros(len(frames))
         millimetres = self._recording.mm
-        around = self._recording.points[frames][:, mates] * millimetres
+        around = self._recording.points[frames[:, None], mates] * millimetres
         total, count = np.zeros((2, len(frames)))
         for stored, label in ((first, second), (second, first)):
             apart = around - self._recording.points[frames, stored][:, None] * millimetres

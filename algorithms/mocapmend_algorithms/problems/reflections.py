@@ -1,18 +1,20 @@
 """Two points in the same place: one of them is a reflection or was labelled twice."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.distances import distances_of
-from mocapmend_algorithms.problems.rigid_mates import rigid_mates
+from mocapmend_algorithms.problems.rigid_mates import RigidMates, rigid_mates
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.skeleton import PairDistances, Skeleton
+from mocapmend_algorithms.skeleton import Skeleton
 from mocapmend_algorithms.skeleton.distances import MOST_MARKERS
 
 CHUNK = 2048
@@ -67,14 +69,16 @@ def reflections(
     together = _coincidences(recording, params.within_mm, part(progress, 0.0, 0.7))
     if not together:
         return []
-    distances = distances_of(recording, part(progress, 0.7, 1.0))
+    distances = distances_of(recording, part(progress, 0.7, 0.9))
+    mates_of = cache(partial(rigid_mates, recording, distances, skeleton))
     found = []
-    for pair, frames in sorted(together.items()):
-        usual = distances.length[pair]
+    for count, (pair, frames) in enumerate(together.items()):
+        progress(0.9 + 0.1 * count / len(together))
+        usual = float(distances.length[pair])
         both = int(recording.present[:, pair].all(axis=1).sum())
-        if usual < LEAST_USUAL * params.within_mm or len(frames) > MOST_SHARE * both:
-            continue
-        found += _of_pair(recording, skeleton, distances, pair, frames)
+        # Of two that are hardly ever seen together, nobody knows how far apart they are otherwise.
+        if usual >= LEAST_USUAL * params.within_mm and len(frames) <= MOST_SHARE * both:
+            found += _of_pair(recording, mates_of, pair, usual, frames)
     return sorted(found, key=lambda run: (run.marker, run.start))
 
 
@@ -87,22 +91,30 @@ def _coincidences(
     for start in range(0, recording.frames, CHUNK):
         progress(start / recording.frames)
         some = recording.points[start : start + CHUNK] * recording.mm
-        order = np.argsort(some[:, :, axis], axis=1)
-        ranked = np.take_along_axis(some, order[:, :, None], axis=1)
+        along = some[:, :, axis].copy()
+        order = np.argsort(along, axis=1)
+        ranked = np.take_along_axis(along, order, axis=1)
+        # As places in all samples of these frames.
+        order += recording.markers * np.arange(len(some))[:, None]
+        flat = some.reshape(-1, 3)
         for ahead in range(1, min(NEXT, recording.markers - 1) + 1):
-            with np.errstate(invalid="ignore"):
-                close = ranked[:, ahead:, axis] - ranked[:, :-ahead, axis] < within
-            frame, at = np.nonzero(close)
-            apart = ranked[frame, at + ahead] - ranked[frame, at]
+            close = ranked[:, ahead:] - ranked[:, :-ahead] < within
+            one, other = order[:, :-ahead][close], order[:, ahead:][close]
+            apart = flat.take(other, axis=0) - flat.take(one, axis=0)
             near = np.einsum("nk,nk->n", apart, apart) < within**2
-            frame, at = frame[near], at[near]
-            pair = np.sort(np.stack((order[frame, at], order[frame, at + ahead])), axis=0)
-            hits.append(np.column_stack((pair.T, frame + start)))
-    every = np.concatenate(hits)
-    pairs = {(int(a), int(b)) for a, b, _ in every}
+            frame, pair = np.divmod(np.stack((one[near], other[near])), recording.markers)
+            hits.append(np.column_stack((pair.min(axis=0), pair.max(axis=0), frame[0] + start)))
+    return _by_pair(np.concatenate(hits))
+
+
+def _by_pair(hits: IntArray) -> dict[tuple[int, int], IntArray]:
+    """Sort rows of two markers and a frame: return the frames of each pair."""
+    hits = hits[np.lexsort(hits.T[::-1])]
+    pairs, first = np.unique(hits[:, :2], axis=0, return_index=True)
+    edges = [*first.tolist(), len(hits)]
     return {
-        pair: np.sort(every[(every[:, 0] == pair[0]) & (every[:, 1] == pair[1]), 2])
-        for pair in pairs
+        (int(one), int(other)): hits[edges[at] : edges[at + 1], 2]
+        for at, (one, other) in enumerate(pairs)
     }
 
 
@@ -116,9 +128,9 @@ def _extent(recording: Recording) -> FloatArray:
 
 def _of_pair(
     recording: Recording,
-    skeleton: Skeleton,
-    distances: PairDistances,
+    mates_of: Callable[[int], RigidMates],
     pair: tuple[int, int],
+    usual: float,
     frames: IntArray,
 ) -> list[BadRun]:
     mask = np.zeros(recording.frames, dtype=np.bool_)
@@ -130,49 +142,34 @@ def _of_pair(
     for start, stop in runs(mask):
         if stop - start < LEAST_FRAMES:
             continue
-        misfits = [_misfit(recording, skeleton, distances, m, pair, start, stop) for m in pair]
-        wrong = int(misfits[1] >= misfits[0])
-        found.append(_described(recording, distances, pair, wrong, misfits, start, stop))
+        run = slice(start, stop)
+        first, second = (_misfit(recording, mates_of(m), m, pair, run) for m in pair)
+        wrong, other = pair if first > second else pair[::-1]
+        found.append(_described(recording, wrong, other, run, usual, abs(first - second)))
     return found
 
 
 def _misfit(
-    recording: Recording,
-    skeleton: Skeleton,
-    distances: PairDistances,
-    marker: int,
-    pair: tuple[int, int],
-    start: int,
-    stop: int,
+    recording: Recording, mates: RigidMates, marker: int, pair: tuple[int, int], run: slice
 ) -> float:
     """Return by how much the distances of a marker to its neighbours differ from usual, in mm."""
-    mates = rigid_mates(recording, distances, skeleton, marker)
     kept = [at for at, mate in enumerate(mates.markers) if mate not in pair]
-    around = recording.points[start:stop][:, [mates.markers[at] for at in kept]]
-    apart = (around - recording.points[start:stop, [marker]]) * recording.mm
+    around = recording.points[run][:, [mates.markers[at] for at in kept]]
+    apart = (around - recording.points[run, [marker]]) * recording.mm
     off = np.abs(np.sqrt(np.einsum("tmk,tmk->tm", apart, apart)) - mates.length[kept])
     off = off[~np.isnan(off)]
     return float(np.median(off)) if off.size else 0.0
 
 
 def _described(
-    recording: Recording,
-    distances: PairDistances,
-    pair: tuple[int, int],
-    wrong: int,
-    misfits: list[float],
-    start: int,
-    stop: int,
+    recording: Recording, wrong: int, other: int, run: slice, usual: float, surer: float
 ) -> BadRun:
-    usual = float(distances.length[pair])
-    other = pair[1 - wrong]
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
-    surer = abs(misfits[0] - misfits[1])
+    frames = frames_in_words(run.stop - run.start)
     return BadRun(
         kind="reflections",
-        marker=pair[wrong],
-        start=start,
-        stop=stop,
+        marker=wrong,
+        start=run.start,
+        stop=run.stop,
         score=float(1.0 - 0.5 * np.exp(-surer / 20.0)),
         deviation=usual / recording.mm,
         reason=f"For {frames} it is in the same place as {recording.labels[other]}, from which it "

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import PairDistances, Skeleton
 
@@ -91,24 +91,45 @@ def _measured(
     return middle, (high - low) / QUARTILES_IN_SD
 
 
-def stretched(recording: Recording, marker: int, mates: RigidMates) -> FloatArray:
-    """Return by how much each distance is longer than usual in mm, shape (frames, mates).
+def stretched(paths: FloatArray, marker: int, mates: RigidMates) -> FloatArray:
+    """Measure by how much each distance of a marker is longer than usual.
 
-    NaN where one of the two is missing.
+    Parameters
+    ----------
+    paths : ndarray, shape (markers, 3, frames)
+        Of all markers, in mm.
+    marker : int
+        The marker.
+    mates : RigidMates
+        Its mates.
+
+    Returns
+    -------
+    ndarray, shape (mates, frames)
+        In mm; NaN where one of the two is missing.
     """
-    own = recording.points[:, marker] * recording.mm
-    stretch = np.empty((recording.frames, len(mates.markers)))
-    for at, mate in enumerate(mates.markers):
-        apart = recording.points[:, mate] * recording.mm - own
-        stretch[:, at] = np.sqrt(np.einsum("tk,tk->t", apart, apart)) - mates.length[at]
-    return stretch
+    apart = paths[mates.markers] - paths[marker]
+    length: FloatArray = np.sqrt(np.einsum("mkt,mkt->mt", apart, apart))
+    return length - mates.length[:, None]
 
 
-def broken_share(stretch: FloatArray, gate: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Return the share of the known distances beyond their gates, and where two are known."""
-    known = ~np.isnan(stretch)
+def broken_share(stretch: FloatArray, gate: FloatArray) -> FloatArray:
+    """Return the share of the known distances beyond their gates; 0 where fewer than two are known.
+
+    Parameters
+    ----------
+    stretch : ndarray, shape (mates, frames)
+        See `stretched`.
+    gate : ndarray, shape (mates,)
+        In mm.
+
+    Returns
+    -------
+    ndarray, shape (frames,)
+    """
     with np.errstate(invalid="ignore"):
-        broken = np.abs(stretch) > gate
-    count = known.sum(axis=1)
-    share: FloatArray = broken.sum(axis=1) / np.maximum(count, 1)
-    return share, count >= 2
+        broken = np.abs(stretch) > gate[:, None]
+    count = (~np.isnan(stretch)).sum(axis=0)
+    share: FloatArray = broken.sum(axis=0) / np.maximum(count, 1)
+    share[count < 2] = 0.0
+    return share

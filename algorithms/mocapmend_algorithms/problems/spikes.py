@@ -14,7 +14,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.blocks import SIDE, Fits, block_offsets, fit_blocks, usual_away
 from mocapmend_algorithms.problems.levels import running_level
 from mocapmend_algorithms.problems.mates import common_offset, mates_of
@@ -99,7 +99,8 @@ def spikes(
     Returns
     -------
     list of BadRun
-        Ordered by marker and start.
+        Ordered by marker and start. There are two samples or more on either side of each: of the
+        first and the last two samples of a recording, large errors are broken bones.
     """
     del skeleton
     longest = max(LEAST_LONGEST, round(params.longest_ms * recording.rate / 1000))
@@ -151,6 +152,8 @@ def _pass(points: FloatArray, rate: float, longest: int, params: SpikesParams) -
             good &= fits.least >= np.maximum(LEAST_SHARE * fits.away, 2.0 * noise)
             certain = (ratio >= CERTAIN) & (fits.away >= CERTAIN_MM)
             good &= certain | _sharp(step, first, length, fits)
+        if not good.any():
+            continue
         times = np.where(certain, VERY_UNUSUAL, UNUSUAL)[good]
         good[good] = fits.away[good] >= times * usual_away(points, first[good], length)
         candidates += [
@@ -257,7 +260,7 @@ def _stands_out(
 
 
 def _described(recording: Recording, marker: int, spike: _Found, params: SpikesParams) -> BadRun:
-    frames = "1 frame" if spike.length == 1 else f"{spike.length} frames"
+    frames = frames_in_words(spike.length)
     return BadRun(
         kind="spikes",
         marker=marker,

@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray, running_count
+from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.params import option
-from mocapmend_algorithms.problems.bad_run import BadRun
+from mocapmend_algorithms.problems.bad_run import BadRun, frames_in_words
 from mocapmend_algorithms.problems.crossings import Crossing, find_crossings, find_jumps
 from mocapmend_algorithms.problems.distances import distances_of
 from mocapmend_algorithms.problems.likeness import Likeness
@@ -28,8 +28,8 @@ FRAMES_PER_PIECE = 8
 MOST_LIKE = 8.0
 CROSSING_MISSED, HALF_MISSED = 12.0, 4.0
 """Cost of a crossing at which the labels do not change: both seen, and one of them missing."""
-UNSEEN_CHANGE, JUMP_CHANGE, BARE_CHANGE = 6.0, 3.0, 60.0
-"""Cost of a change in a gap, at a jump of one marker, and anywhere else."""
+UNSEEN_CHANGE, JUMP_CHANGE = 6.0, 3.0
+"""Cost of a change in a gap, and at a jump of one marker; anywhere else there is none."""
 LEAST_SURE = 5.0
 """How much more it must cost to call a swap right."""
 SWAPPED = 1.0
@@ -87,6 +87,7 @@ def swaps(
     crossings = find_crossings(recording, errors, jumps, part(progress, 0.3, 0.6))
     distances = distances_of(recording, part(progress, 0.6, 0.7))
     likeness = Likeness(recording, distances)
+    cuts = [_cuts(jumps[:, m], recording.present[:, m]) for m in range(recording.markers)]
     pairs: dict[tuple[int, int], list[Crossing]] = {
         pair: [] for pair in _neighbours_with_gaps(recording, likeness)
     }
@@ -95,22 +96,24 @@ def swaps(
     found = []
     for count, (pair, seen) in enumerate(sorted(pairs.items())):
         progress(0.7 + 0.3 * count / len(pairs))
-        found += _of_pair(recording, pair, seen, jumps, likeness, distances, params)
-    return sorted(_likeliest(found), key=lambda run: (run.marker, run.start))
+        pieces = _pieces(recording.frames, [cuts[marker] for marker in pair], seen)
+        found += _of_pair(recording, pair, pieces, likeness, distances, params)
+    return sorted(
+        _likeliest(found, recording.present.shape), key=lambda run: (run.marker, run.start)
+    )
 
 
-def _likeliest(runs: Sequence[BadRun]) -> list[BadRun]:
+def _likeliest(runs: Sequence[BadRun], shape: tuple[int, ...]) -> list[BadRun]:
     """Of swaps that share samples keep the surest: a marker has one label at a time."""
-    taken: list[BadRun] = []
+    taken = np.zeros(shape, dtype=np.bool_)
+    kept = []
     for run in sorted(runs, key=lambda run: (-run.score, -run.length, run.marker, run.start)):
-        if not any(
-            {run.marker, run.other} & {other.marker, other.other}
-            and run.start < other.stop
-            and other.start < run.stop
-            for other in taken
-        ):
-            taken.append(run)
-    return taken
+        assert run.other is not None
+        pair = [run.marker, run.other]
+        if not taken[run.start : run.stop, pair].any():
+            taken[run.start : run.stop, pair] = True
+            kept.append(run)
+    return kept
 
 
 def _neighbours_with_gaps(recording: Recording, likeness: Likeness) -> Iterable[tuple[int, int]]:
@@ -125,13 +128,11 @@ def _neighbours_with_gaps(recording: Recording, likeness: Likeness) -> Iterable[
 def _of_pair(
     recording: Recording,
     pair: tuple[int, int],
-    crossings: Sequence[Crossing],
-    jumps: BoolArray,
+    pieces: Sequence[_Piece],
     likeness: Likeness,
     distances: PairDistances,
     params: SwapsParams,
 ) -> list[BadRun]:
-    pieces = _pieces(recording, pair, crossings, jumps)
     costs = _costs(recording, pair, pieces, likeness)
     swapped = _course(pieces, costs)
     if not swapped.any():
@@ -148,27 +149,27 @@ def _of_pair(
     return found
 
 
+def _cuts(jumps: BoolArray, present: BoolArray) -> dict[int, float]:
+    """Return what a change of labels costs where a marker jumps, appears or vanishes."""
+    changes = np.flatnonzero(present[1:] != present[:-1]) + 1
+    costs = dict.fromkeys(np.flatnonzero(jumps).tolist(), JUMP_CHANGE)
+    return costs | dict.fromkeys(changes.tolist(), UNSEEN_CHANGE)
+
+
 def _pieces(
-    recording: Recording,
-    pair: tuple[int, int],
-    crossings: Sequence[Crossing],
-    jumps: BoolArray,
+    frames: int, cuts: Sequence[dict[int, float]], crossings: Sequence[Crossing]
 ) -> list[_Piece]:
-    """Cut time where the two may change places."""
-    frames = recording.frames
-    present = recording.present[:, list(pair)]
+    """Cut time where two markers may change places."""
     costs: dict[int, tuple[float, float]] = {}
-    for frame in np.flatnonzero(jumps[:, pair].any(axis=1)).tolist():
-        costs[frame] = JUMP_CHANGE, 0.0
-    changes = np.flatnonzero((present[1:] != present[:-1]).any(axis=1)) + 1
-    for frame in changes.tolist():
-        costs[frame] = UNSEEN_CHANGE, 0.0
+    for own in cuts:
+        for frame, change in own.items():
+            costs[frame] = max(change, costs.get(frame, (0.0, 0.0))[0]), 0.0
     for crossing in crossings:
         costs[crossing.frame] = 0.0, CROSSING_MISSED if crossing.both else HALF_MISSED
-    cuts = sorted(costs)
-    stops = [*cuts, frames]
+    starts = sorted(costs)
+    stops = [*starts, frames]
     first = _Piece(0, stops[0], 0.0, 0.0)
-    rest = [_Piece(cut, stop, *costs[cut]) for cut, stop in zip(cuts, stops[1:], strict=True)]
+    rest = [_Piece(at, stop, *costs[at]) for at, stop in zip(starts, stops[1:], strict=True)]
     return [first, *rest]
 
 
@@ -185,8 +186,8 @@ def _costs(
     frames: IntArray = starts[:, None] + (lengths[:, None] * share).astype(np.int64)
     like = likeness.swapped(*pair, frames.ravel()).reshape(frames.shape)
     like = np.clip(np.median(like, axis=1), -MOST_LIKE, MOST_LIKE)
-    seen = running_count(recording.present[:, list(pair)].sum(axis=1))
-    any_seen = seen[starts + lengths] > seen[starts]
+    # Neither appears nor vanishes within a piece.
+    any_seen = recording.present[starts][:, pair].any(axis=1)
     weight = 1.0 + np.log10(lengths)
     rare = SWAPPED * lengths / recording.frames
     costs: FloatArray = np.where(any_seen, -like * weight + rare, 0.0)
@@ -234,7 +235,7 @@ def _described(
     known = length[~np.isnan(length)]
     away = float(np.median(known)) if known.size else distances.length[pair] / recording.mm
     labels = recording.labels
-    frames = "1 frame" if stop - start == 1 else f"{stop - start} frames"
+    frames = frames_in_words(stop - start)
     return BadRun(
         kind="swaps",
         marker=pair[0],

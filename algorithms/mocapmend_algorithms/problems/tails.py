@@ -5,6 +5,7 @@ gap are compared with a parabola through those before them, and that with what i
 further away from the gap.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
@@ -15,7 +16,7 @@ from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
 from mocapmend_algorithms.params import option
 from mocapmend_algorithms.problems.bad_run import BadRun
-from mocapmend_algorithms.problems.mates import mates_of
+from mocapmend_algorithms.problems.mates import MOST_MATES, mates_of
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.skeleton import Skeleton
@@ -29,8 +30,8 @@ COMPARED, MORE_COMPARED = 10, 30
 FLOOR_MM = 0.5
 LEAST_SHARE, INNER = 0.1, 1.5
 """What the inner samples are off: a share of the outermost one, and times the usual."""
-REPORTED = 32
-"""Ends between two reports of progress."""
+BATCH = 256
+"""Ends that are judged at once."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +59,6 @@ class _End(NamedTuple):
     marker: int
     edge: int
     direction: int
-    samples: int
-    """That are looked at."""
 
 
 def tails(
@@ -86,77 +85,106 @@ def tails(
     """
     del skeleton
     longest = int(np.clip(round(LONGEST_S * recording.rate), LEAST_LONGEST, MOST_LONGEST))
-    ends = _ends(recording, _window(longest))
-    if not ends:
+    batches = _batches(recording, 3 * longest + MORE + COMPARED)
+    if not batches:
         return []
-    mates = mates_of(recording, part(progress, 0.0, 0.3))
+    mates = _table(mates_of(recording, part(progress, 0.0, 0.3)))
     found = []
-    for at, end in enumerate(ends):
-        if at % REPORTED == 0:
-            progress(0.3 + 0.7 * at / len(ends))
-        views = _views(recording, mates[end.marker], end)
-        away = _bent(_quietest(views, longest), longest, params)
-        if away.size:
-            found.append(_described(recording, end, away))
-    return found
+    for at, (samples, ends) in enumerate(batches):
+        progress(0.3 + 0.7 * at / len(batches))
+        away = _quietest(_views(recording, mates, ends, samples), longest)
+        for end, bent in zip(ends, _bent(away, longest, params), strict=True):
+            if bent.size:
+                found.append(_described(recording, end, bent))
+    progress(1.0)
+    return sorted(found, key=lambda run: (run.marker, run.start))
 
 
-def _window(longest: int) -> int:
-    """Return how many samples from the end are looked at, at least."""
-    return 3 * longest + MORE + COMPARED
-
-
-def _ends(recording: Recording, least: int) -> list[_End]:
-    """List the ends of the stretches that are long enough to judge."""
+def _batches(recording: Recording, least: int) -> list[tuple[int, list[_End]]]:
+    """List the ends of the stretches that are long enough to judge, by the samples looked at."""
+    by_samples: dict[int, list[_End]] = {}
+    for marker in np.flatnonzero(~recording.present.all(axis=0)).tolist():
+        for start, stop in runs(recording.present[:, marker]):
+            if stop - start < least:
+                continue
+            ends = by_samples.setdefault(min(stop - start, least + MORE_COMPARED), [])
+            if start > 0:
+                ends.append(_End(marker, start, 1))
+            if stop < recording.frames:
+                ends.append(_End(marker, stop - 1, -1))
     return [
-        end
-        for marker in np.flatnonzero(~recording.present.all(axis=0)).tolist()
-        for start, stop in runs(recording.present[:, marker])
-        if stop - start >= least
-        for samples in (min(stop - start, least + MORE_COMPARED),)
-        for end in (_End(marker, start, 1, samples), _End(marker, stop - 1, -1, samples))
-        if 0 < end.edge < recording.frames - 1
+        (samples, ends[first : first + BATCH])
+        for samples, ends in sorted(by_samples.items())
+        for first in range(0, len(ends), BATCH)
     ]
 
 
-def _views(recording: Recording, mates: list[int], end: _End) -> list[FloatArray]:
-    """Return the samples at an end in mm, the outermost last, shape (samples, 3).
+def _table(mates: list[list[int]]) -> IntArray:
+    """Return the mates of each marker, shape (markers, mates); -1 where it has fewer."""
+    table = np.full((len(mates), MOST_MATES), -1, dtype=np.int64)
+    for marker, each in enumerate(mates):
+        table[marker, : len(each)] = each
+    return table
 
-    Also as they are seen from the neighbours, where two or more are there all the time.
+
+def _views(
+    recording: Recording, mates: IntArray, ends: Sequence[_End], samples: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return the samples at some ends in mm, the outermost last, shape (ends, samples, 3).
+
+    Also as they are seen from the neighbours; NaN where fewer than two are there all the time.
     """
-    inward = np.arange(end.samples - 1, -1, -1)
-    frames: IntArray = end.edge + end.direction * inward
-    points: FloatArray = recording.points[frames, end.marker] * recording.mm
-    around = recording.points[frames][:, mates] * recording.mm
-    around = around[:, ~np.isnan(around).any(axis=(0, 2))]
-    return [points, points - np.median(around, axis=1)] if around.shape[1] >= 2 else [points]
+    markers, edges, directions = np.array(ends).T
+    inward = np.arange(samples - 1, -1, -1)
+    frames = edges[:, None] + directions[:, None] * inward
+    points: FloatArray = recording.points[frames, markers[:, None]] * recording.mm
+    beside = mates[markers]
+    around = recording.points[frames[:, None], beside[:, :, None]] * recording.mm
+    gone = (beside < 0) | np.isnan(around).any(axis=(2, 3))
+    around[gone] = np.nan
+    around.sort(axis=1)  # NaN last
+    count = (~gone).sum(axis=1)
+    low, high = (
+        np.take_along_axis(around, np.maximum(at, 0)[:, None, None, None], axis=1)[:, 0]
+        for at in ((count - 1) // 2, count // 2)
+    )
+    middle = (low + high) / 2.0
+    middle[count < 2] = np.nan
+    return points, points - middle
 
 
-def _quietest(views: list[FloatArray], longest: int) -> FloatArray:
-    """Return the view in which it can be told the best where the samples lead."""
+def _quietest(views: tuple[FloatArray, FloatArray], longest: int) -> FloatArray:
+    """Return `_carried_on` of the view of each end in which it is told best where samples lead."""
+    away, away_beside = (_carried_on(view, longest + MORE, longest) for view in views)
+    places = away.shape[1] - 2 * longest + 1
+    unrest, unrest_beside = (
+        np.median(each[:, :places, -1], axis=1) for each in (away, away_beside)
+    )
+    with np.errstate(invalid="ignore"):
+        return np.where((unrest_beside < unrest)[:, None, None], away_beside, away)
 
-    def unrest(points: FloatArray) -> float:
-        return float(np.median(_carried_on(points, longest + MORE, longest)[:-longest, -1]))
 
-    return min(views, key=unrest)
-
-
-def _bent(points: FloatArray, longest: int, params: TailsParams) -> FloatArray:
-    """Return how far each of the samples at the end that bend away is off; none where none do.
+def _bent(away: FloatArray, longest: int, params: TailsParams) -> list[FloatArray]:
+    """Return how far each of the samples at some ends that bend away is off; none where none do.
 
     Of all lengths that the tail may have, the one is taken at which its outermost sample is the
     furthest from where the samples before it lead, against what is usual.
     """
-    best, bent = params.times_usual, np.zeros(0)
-    for length in range(1, longest + 1):
-        away = _carried_on(points, longest + MORE, length)
-        usual = away[:-longest].max(axis=0) + FLOOR_MM
-        ratio = float(away[-1, -1] / usual[-1])
-        if ratio <= best or away[-1, -1] < params.least_mm:
-            continue
-        wrong = away[-1] >= np.maximum(LEAST_SHARE * away[-1, -1], INNER * usual)
-        right = np.flatnonzero(~wrong)
-        best, bent = ratio, away[-1, int(right[-1]) + 1 if right.size else 0 :]
+    lengths = np.arange(1, longest + 1)
+    last = away.shape[1] - lengths
+    # By length and sample of the tail; what is beyond the length is not looked at.
+    tail = away[:, last]
+    usual = np.maximum.accumulate(away, axis=1)[:, last - longest] + FLOOR_MM
+    outermost = tail[:, lengths - 1, lengths - 1]
+    ratio = outermost / usual[:, lengths - 1, lengths - 1]
+    ratio[outermost < params.least_mm] = 0.0
+    best = np.argmax(ratio, axis=1)
+    bent = []
+    for end, at in enumerate(best.tolist()):
+        own, floor = tail[end, at, : at + 1], INNER * usual[end, at, : at + 1]
+        right = np.flatnonzero(own < np.maximum(LEAST_SHARE * own[-1], floor))
+        first = int(right[-1]) + 1 if right.size else 0
+        bent.append(own[first:] if ratio[end, at] > params.times_usual else own[:0])
     return bent
 
 
@@ -165,19 +193,23 @@ def _carried_on(points: FloatArray, base: int, length: int) -> FloatArray:
 
     Parameters
     ----------
-    points : ndarray, shape (samples, 3)
+    points : ndarray, shape (ends, samples, 3)
         In their order.
     base, length : int
         Samples that the parabola goes through, and samples after them that are compared.
 
     Returns
     -------
-    ndarray, shape (places, length)
-        At every place where there is room, the last one at the end.
+    ndarray, shape (ends, places, length)
+        At every place with a sample to compare; NaN beyond the last one.
     """
-    windows = np.lib.stride_tricks.sliding_window_view(points, base + length, axis=0)
-    apart = windows[:, :, base:] - windows[:, :, :base] @ _weights(base, length).T
-    away: FloatArray = np.sqrt(np.einsum("pkt,pkt->pt", apart, apart))
+    beyond = np.full((len(points), length - 1, 3), np.nan)
+    windows = np.lib.stride_tricks.sliding_window_view(
+        np.concatenate((points, beyond), axis=1), base + length, axis=1
+    )
+    lead = np.tensordot(windows[..., :base], _weights(base, length), axes=(-1, 1))
+    apart = windows[..., base:] - lead
+    away: FloatArray = np.sqrt(np.einsum("epkt,epkt->ept", apart, apart))
     return away
 
 

@@ -8,9 +8,9 @@ field has two passes of order 2), and `cutoff` is where both passes together hal
 
     tan(pi f_pass / rate) = tan(pi f_cutoff / rate) / (sqrt(2) - 1)^(1 / order).
 
-W09 = Winter 2009, Biomechanics and Motor Control of Human Movement, 4th ed., section 3.4.4.2; for
-order 4 the factor is his 0.802. A program without the correction has to be given a cut-off
-higher by 1 / 0.802 for the same curve.
+For order 4 the factor is the 0.802 of Winter 2009, Biomechanics and Motor Control of Human
+Movement, 4th ed. A program without the correction has to be given a cut-off higher by 1 / 0.802 for
+the same curve.
 """
 
 from collections.abc import Sequence

@@ -1,10 +1,10 @@
 """Residual analysis: how much noise there is, and which cut-off frequency suits it.
 
-W09 = Winter 2009, Biomechanics and Motor Control of Human Movement, 4th ed., section 3.4.4.3. The
-residual R(f) is the root mean square of what a filter with cut-off f takes away. Above the
-bandwidth of the motion, what it takes is noise alone, and R falls along a line that W09 draws by
-eye; where it meets 0 Hz is the noise that is in the samples. Here the line is the one that white
-noise follows, which is known for each filter, and it is fitted where it is `NOISE_ALONE`.
+W09 = Winter 2009, Biomechanics and Motor Control of Human Movement, 4th ed. The residual R(f) is
+the root mean square of what a filter with cut-off f takes away. Above the bandwidth of the motion,
+what it takes is noise alone, and R falls along a line that W09 draws by eye; where it meets 0 Hz is
+the noise that is in the samples. Here the line is the one that white noise follows, which is known
+for each filter, and it is fitted where it is `NOISE_ALONE`.
 
 Two rules choose the cut-off from the noise. W09's takes the one whose residual equals the noise:
 there, the motion that is lost is as large as the noise that is let through. The other takes the

@@ -10,8 +10,8 @@ B-spline of twice the order at whole numbers),
 
     y - s = p Q (R + p Q'Q)^-1 Q' y
 
-(Green and Silverman 1994, Nonparametric Regression and Generalized Linear Models, section 2.3, for
-cubics). Everything is banded, so the work grows with the number of samples alone.
+(Green and Silverman 1994, Nonparametric Regression and Generalized Linear Models, for cubics).
+Everything is banded, so the work grows with the number of samples alone.
 `fill.woltring` has the quintic spline for a few knots at any distance.
 
 The same curve is what a Kalman smoother makes of an m times integrated random walk that is seen
@@ -35,6 +35,8 @@ PER_DECADE = 20
 SLOWEST = 0.012
 """Radians per frame: below, the equations lose their digits."""
 SLOWEST_HZ = 0.25
+STATIONARY = 3000
+"""Rows after which the pivots of even the slowest curve are all alike: exp(-0.012 x 3000) is 0."""
 
 
 def lowest_cutoff(rate: float) -> float:
@@ -123,9 +125,11 @@ def roughness(samples: FloatArray, p: float, order: int) -> tuple[FloatArray, fl
     return np.sum(bent * solved, axis=0), float(2 * np.sum(np.log(factor[0])))
 
 
-@lru_cache(maxsize=32)
 def degrees_left(samples: int, penalties: tuple[float, ...], order: int) -> FloatArray:
     """Return the trace of what turns samples into residuals, of each p.
+
+    That is the derivative of the log-determinant of R + p Q'Q by log p, and this the sum of the
+    logarithms of its pivots, which are the same for any number of samples.
 
     Parameters
     ----------
@@ -139,33 +143,35 @@ def degrees_left(samples: int, penalties: tuple[float, ...], order: int) -> Floa
     Returns
     -------
     ndarray, shape (penalties,)
-        From 0, nothing smoothed, to `samples` - m, a polynomial. By Hutchinson and de Hoog 1985,
-        Smoothing noisy data with spline functions, Numerische Mathematik 47:99-106.
+        From 0, nothing smoothed, to `samples` - m, a polynomial.
     """
-    from scipy.linalg import cholesky_banded
-
     size = samples - order
-    factors = np.stack(
-        [
-            cholesky_banded(_matrix(size, p, order), lower=True, check_finite=False)
-            for p in penalties
-        ]
-    )
-    pivots, below = factors[:, 0] ** 2, factors[:, 1:] / factors[:, :1]
-    weights = OVERLAP[order] * np.append(1.0, np.full(order, 2.0))
-    # inverse[:, j, k] is the inverse of R + p Q'Q at (row + j, row + k).
-    inverse = np.zeros((len(penalties), order + 1, order + 1))
-    trace = np.zeros(len(penalties))
-    for row in range(size - 1, -1, -1):
-        inverse[:, 1:, 1:] = inverse[:, :-1, :-1].copy()
-        column = below[:, :, row]
-        inverse[:, 0, 1:] = -np.einsum("pj,pjk->pk", column, inverse[:, 1:, 1:])
-        inverse[:, 1:, 0] = inverse[:, 0, 1:]
-        inverse[:, 0, 0] = 1 / pivots[:, row] - np.einsum("pj,pj->p", column, inverse[:, 0, 1:])
-        trace += inverse[:, 0, :] @ weights
-    left: FloatArray = size - trace
-    left.flags.writeable = False
+    by_row = _pivot_growth(penalties, order)
+    left: FloatArray = by_row[:size].sum(axis=0) + max(0, size - STATIONARY) * by_row[-1]
     return left
+
+
+@lru_cache(maxsize=16)
+def _pivot_growth(penalties: tuple[float, ...], order: int) -> FloatArray:
+    """Return the derivative by log p of the logarithm of each pivot, (STATIONARY, penalties)."""
+    from scipy.linalg import toeplitz
+
+    smooth = np.array(penalties)[:, None, None] * toeplitz(SQUARE[order])
+    whole = toeplitz(OVERLAP[order]) + smooth
+    # What is left of the next rows when those before are eliminated, and its derivative.
+    rest, change = whole.copy(), smooth.copy()
+    growth = np.empty((STATIONARY, len(penalties)))
+    for row in range(STATIONARY):
+        share = rest[:, 1:, 0] / rest[:, :1, 0]
+        growth[row] = change[:, 0, 0] / rest[:, 0, 0]
+        shift = change[:, 1:, 0] - 0.5 * growth[row][:, None] * rest[:, 1:, 0]
+        cross = shift[:, :, None] * share[:, None]
+        new = rest[:, 1:, 1:] - share[:, :, None] * rest[:, None, 1:, 0]
+        new_change = change[:, 1:, 1:] - cross - cross.transpose(0, 2, 1)
+        rest, change = whole.copy(), smooth.copy()
+        rest[:, :-1, :-1], change[:, :-1, :-1] = new, new_change
+    growth.flags.writeable = False
+    return growth
 
 
 def by_axis(samples: FloatArray, penalties: list[float], order: int) -> FloatArray:

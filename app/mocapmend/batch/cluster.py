@@ -70,7 +70,7 @@ class Cluster:
         for number, task in enumerate(tasks):
             watcher.began(task)
             key = f"mocapmend-{self._run.name}-{number}"
-            future = self._client.submit(attempt, task, self._run, key=key, pure=False)
+            future = self._client.submit(attempt, task, self._run, __version__, key=key, pure=False)
             given[key] = task, future
         for _, future in given.values():
             future.add_done_callback(ended.put)

@@ -8,6 +8,7 @@ from pathlib import Path, PurePath
 
 from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.batch.results import Problem
+from mocapmend.batch.seeing import is_there
 from mocapmend.errors import MocapmendError
 from mocapmend.files import FORMATS, WRITTEN, same_file
 from mocapmend.files.sidecar import SUFFIX as SIDECAR
@@ -62,8 +63,8 @@ def find(
     MocapmendError
         If the folder cannot be read, or if the output folder is the same one.
     """
-    if not folder.is_dir():
-        there = folder.exists()
+    if not os.path.isdir(folder):  # noqa: PTH112 - swallows errors
+        there = is_there(folder)
         raise MocapmendError(
             "This is a file, not a folder." if there else "There is no such folder.",
             str(folder),
@@ -134,7 +135,7 @@ def _walk(
 
 def _is_output(folder: Path, own: str) -> bool:
     """Say whether copies are in a folder: this batch's, or those of another one."""
-    return os.path.realpath(folder) == own or (folder / LEDGER).exists()
+    return os.path.realpath(folder) == own or is_there(folder / LEDGER)
 
 
 def _hidden(name: str, pattern: str) -> bool:
@@ -143,7 +144,7 @@ def _hidden(name: str, pattern: str) -> bool:
 
 
 def _no_file(path: Path) -> Problem | None:
-    if path.is_symlink() and not path.exists():
+    if os.path.islink(path) and not is_there(path):  # noqa: PTH114 - swallows errors
         return Problem("The link leads nowhere.", str(path), "Remove it, or mend it.")
     return None
 

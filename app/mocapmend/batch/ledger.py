@@ -8,11 +8,12 @@ in it; a line that is cut, or that something else has written, is passed over.
 import json
 import os
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from mocapmend.batch.results import Finished, Row, Seen
+from mocapmend.batch.results import Finished, Row, Seen, made
 from mocapmend.errors import MocapmendError
 
 NAME = "mocapmend-batch.jsonl"
@@ -96,12 +97,13 @@ class Ledger:
             raise self._cannot(error) from error
 
     def fail(self, file: str) -> None:
-        """Note that a file has failed: its copy is what it was before."""
+        """Note that a file has failed, and that its copy is what it was before."""
         self._append(_encode({"failed": file}))
 
     def close(self) -> None:
-        """Give the file back."""
-        self._stream.close()
+        """Give the file back; what could not be written was said when it was to be."""
+        with suppress(OSError):
+            self._stream.close()
 
     def _learn(self, line: bytes) -> None:
         """Take in what a line says, if it is one of ours."""
@@ -115,10 +117,12 @@ class Ledger:
             if "failed" in data:
                 self.begun.discard(str(data["failed"]))
                 return
-            row, given, made = data["row"], data["input"], data["output"]
-            entry = Entry(str(data["key"]), Row.from_json(row), Seen(**given), Seen(**made))
-            self.done[str(data["done"])] = entry
-            self.begun.discard(str(data["done"]))
+            row, given, copy = data["row"], data["input"], data["output"]
+            entry = Entry(str(data["key"]), Row.from_json(row), made(Seen, given), made(Seen, copy))
+            if entry.row.file != data["done"]:
+                return
+            self.done[entry.row.file] = entry
+            self.begun.discard(entry.row.file)
         except (ValueError, KeyError, TypeError, RecursionError):
             return
 

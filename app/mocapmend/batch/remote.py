@@ -12,6 +12,7 @@ from typing import Any
 
 from threadpoolctl import threadpool_limits
 
+from mocapmend import __version__
 from mocapmend.batch.results import Finished, Problem
 from mocapmend.batch.work import Task, do
 from mocapmend_algorithms import Cancelled
@@ -40,7 +41,7 @@ def introduce() -> Callable[..., Any]:
     return answer
 
 
-def attempt(task: Task, run: Path) -> Finished:
+def attempt(task: Task, run: Path, version: str) -> Finished:
     """Do a task, unless those who have tried have died of it.
 
     Parameters
@@ -49,12 +50,21 @@ def attempt(task: Task, run: Path) -> Finished:
         What to do.
     run : Path
         The folder of the client's run.
+    version : str
+        Of the client's program: a worker may have come after all were asked for theirs.
 
     Raises
     ------
     Cancelled
         When the client does not want it any more: then the folder has gone.
     """
+    if version != __version__:
+        problem = Problem(
+            f"A worker has mocapmend {__version__}; this is mocapmend {version}.",
+            str(task.request.file),
+            "Install the same version everywhere, and start the workers again.",
+        )
+        return Finished(task.failed(problem), untouched=True)
     counter = run / hashlib.sha256(task.file.encode("utf-8", "surrogateescape")).hexdigest()
     if _count(counter) > MOST_ATTEMPTS:
         problem = Problem(

@@ -2,12 +2,13 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
-from typing import Any, Literal
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any, Literal, TypeVar, get_args, get_origin
 
 from mocapmend.errors import MocapmendError
 
 NUMBER = re.compile(r"\d+(\.\d+)?")
+Plain = TypeVar("Plain", "Reason", "Fixed", "Smoothed", "Figures", "Row", "Seen")
 State = Literal["repaired", "unchanged", "nothing", "failed", "waiting"]
 
 
@@ -91,8 +92,10 @@ class Figures:
     no_estimate : int
         Filled gaps whose error could not be estimated.
     tracked_before, tracked_after : float or None
-        Tracking success in %: the share of the markers that are there, mean over the frames;
-        None where no marker is ever seen.
+        Tracking success in %: the share of the markers that are there and not known to be wrong,
+        mean over the frames; None where no marker is ever seen.
+    wrong_before : float or None
+        Likewise the share of those that were there but wrong: set aside or exchanged since.
     fixed : tuple of Fixed
         Bad samples that were put right, by kind.
     smoothed : Smoothed or None
@@ -115,6 +118,7 @@ class Figures:
     worst_place: str = ""
     no_estimate: int = 0
     tracked_before: float | None = None
+    wrong_before: float | None = None
     tracked_after: float | None = None
     fixed: tuple[Fixed, ...] = ()
     smoothed: Smoothed | None = None
@@ -184,18 +188,18 @@ class Row:
 
         Raises
         ------
-        KeyError, TypeError
+        KeyError, TypeError, ValueError
             If it is something else.
         """
         figures = dict(data["figures"])
         smoothed = figures["smoothed"]
         figures |= {
-            "reasons": tuple(Reason(**reason) for reason in figures["reasons"]),
-            "fixed": tuple(Fixed(**each) for each in figures["fixed"]),
-            "smoothed": None if smoothed is None else Smoothed(**smoothed),
+            "reasons": tuple(made(Reason, reason) for reason in figures["reasons"]),
+            "fixed": tuple(made(Fixed, each) for each in figures["fixed"]),
+            "smoothed": None if smoothed is None else made(Smoothed, smoothed),
             "warnings": tuple(figures["warnings"]),
         }
-        return cls(**{**data, "figures": Figures(**figures)})
+        return made(cls, {**data, "figures": made(Figures, figures)})
 
 
 @dataclass(frozen=True)
@@ -218,6 +222,29 @@ class Seen:
     record_sha256: str = ""
 
 
+def made(kind: type[Plain], data: Mapping[str, Any]) -> Plain:
+    """Return an instance of one of these classes whose values are of the kinds that it says.
+
+    Raises
+    ------
+    TypeError
+        If one is not, or if there are others: somebody has edited what the data were read from.
+    """
+    entry = kind(**data)
+    for item in fields(entry):
+        if not _is_of(getattr(entry, item.name), item.type):
+            raise TypeError(f"{item.name} is of another kind")
+    return entry
+
+
+def _is_of(value: object, kind: Any) -> bool:
+    if get_origin(kind) is tuple:
+        return isinstance(value, tuple) and all(isinstance(one, get_args(kind)[0]) for one in value)
+    if get_origin(kind) is Literal:
+        return value in get_args(kind)
+    return isinstance(value, kind) and not isinstance(value, bool)
+
+
 @dataclass(frozen=True)
 class Finished:
     """What a worker says at the end of a file.
@@ -228,6 +255,8 @@ class Finished:
         For the user.
     input, output : Seen or None
         The file and its repaired copy; None where it failed.
+    untouched : bool
+        Whether it is known of a file that failed that its copy is what it was before.
     trace : str
         Where an unexpected error came from, for the log.
     """
@@ -235,4 +264,5 @@ class Finished:
     row: Row
     input: Seen | None = None
     output: Seen | None = None
+    untouched: bool = False
     trace: str = field(default="", repr=False)

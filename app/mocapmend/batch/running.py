@@ -11,7 +11,7 @@ from mocapmend.batch.folder import REPORT, Found, find
 from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.batch.ledger import Entry, Ledger
 from mocapmend.batch.results import Finished, Problem, Row
-from mocapmend.batch.seeing import is_still, stamp_of
+from mocapmend.batch.seeing import is_still, is_there, stamp_of
 from mocapmend.batch.summary_files import SUMMARIES
 from mocapmend.batch.work import Task, make_folder
 from mocapmend.errors import MocapmendError
@@ -121,11 +121,14 @@ class Batch:
         """Note what has become of a task."""
         if finished.trace:
             logger.error("%s: %s", task.request.file, finished.trace)
-        if finished.input is None:
-            self._ledger.fail(task.file)
-        else:
+        if finished.input is not None:
             self._ledger.finish(finished, task.key)
-        self.rows[task.file] = _with_what_is_left(finished.row, task)
+        elif finished.untouched:
+            self._ledger.fail(task.file)
+        row = finished.row
+        if row.problem is not None and is_there(task.out):
+            row = replace(row, problem=_with_what_is_left(row.problem, finished))
+        self.rows[task.file] = row
 
     def _sort_out(self, item: Found) -> None:
         """Find out whether a file is done, cannot be done, or is to be done."""
@@ -150,7 +153,7 @@ class Batch:
         if entry.key != task.key or entry.row.output != task.output:
             return False
         report = task.request.report
-        if report is not None and not (entry.row.report == task.report and report.is_file()):
+        if report is not None and not (entry.row.report == task.report and is_there(report)):
             return False
         return is_still(task.request.file, entry.input) and is_still(task.out, entry.output)
 
@@ -197,19 +200,20 @@ class _Recorder:
         self._watcher.finished(task, finished)
 
 
-def _with_what_is_left(row: Row, task: Task) -> Row:
+def _with_what_is_left(problem: Problem, finished: Finished) -> Problem:
     """Let a failure say that there is a copy all the same: by another plan, for example."""
-    problem = row.problem
-    if problem is None or not task.out.exists():
-        return row
-    todo = f"{problem.todo} The copy that an earlier run has made is still there.".strip()
-    return replace(row, problem=replace(problem, todo=todo))
+    left = (
+        "The copy that an earlier run has made is still there."
+        if finished.untouched
+        else "What is there as its copy may be of this attempt; the next run replaces it."
+    )
+    return replace(problem, todo=f"{problem.todo} {left}".strip())
 
 
 def _in_the_way(task: Task, entry: Entry | None) -> Problem | None:
     """Say what a task would replace that no batch has written."""
     out, report = task.out, task.request.report
-    if entry is not None and out.exists() and not is_still(out, entry.output):
+    if entry is not None and is_there(out) and not is_still(out, entry.output):
         return Problem(
             "The repaired copy was changed since the batch wrote it, and is kept.",
             str(out),
@@ -219,7 +223,7 @@ def _in_the_way(task: Task, entry: Entry | None) -> Problem | None:
     if report is not None and (entry is None or entry.row.report != task.report):
         foreign.append(report)
     for path in foreign:
-        if path.exists():
+        if is_there(path):
             return Problem(
                 "There is already a file of this name, which no batch has written.",
                 str(path),

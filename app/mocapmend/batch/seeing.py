@@ -18,6 +18,11 @@ def stamp_of(path: Path) -> Stamp | None:
     return Stamp(status.st_size, status.st_mtime_ns)
 
 
+def is_there(path: Path) -> bool:
+    """Say whether something has this name, as far as one may look and a name can be that long."""
+    return os.path.exists(path)  # noqa: PTH110 - swallows errors
+
+
 def see(path: Path) -> Seen:
     """Note how a file is.
 

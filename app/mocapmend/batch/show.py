@@ -3,13 +3,15 @@
 import math
 import time
 from collections.abc import Callable, Sequence
+from itertools import islice
 
 from mocapmend.batch.results import Finished, Row
+from mocapmend.batch.time_left import TimeLeft
 from mocapmend.batch.work import Task
 from mocapmend.wording import count
 
-SMALLEST = 100_000
-"""Bytes that every file counts at least: starting takes its time too."""
+LONGEST_NAME = 32
+"""Characters of a file's name in the line that changes: how far it is stands behind it."""
 
 
 class Tracker:
@@ -31,40 +33,29 @@ class Tracker:
     def __init__(self, tasks: Sequence[Task], clock: Callable[[], float] = time.monotonic) -> None:
         self.done = 0
         self._files = len(tasks)
-        self._clock = clock
-        self._start = clock()
-        self._weight = sum(map(_weight, tasks))
-        self._weight_done = 0.0
+        self._left = TimeLeft(tasks, clock)
         self._current: dict[str, str] = {}
 
     def at(self, task: Task, step: str, fraction: float) -> None:
         """Note how far a task is."""
-        self._current[task.file] = f"{task.file} ({step.lower()} {100 * fraction:.0f} %)"
+        self._current[task.file] = f"{_short(task.file)} ({step.lower()} {100 * fraction:.0f} %)"
 
     def began(self, task: Task) -> None:
         """Note that a task was given to somebody."""
-        self._current[task.file] = task.file
+        self._current[task.file] = _short(task.file)
 
-    def finished(self, task: Task) -> None:
+    def finished(self, task: Task, row: Row) -> None:
         """Note the end of a task."""
         self._current.pop(task.file, None)
-        self._weight_done += _weight(task)
+        self._left.finished(task, row.seconds if row.state == "repaired" else None)
         self.done += 1
-
-    @property
-    def seconds_left(self) -> float:
-        """How long the rest is going to take, by the size of the files; NaN while nobody knows."""
-        if not self._weight_done:
-            return math.nan
-        spent = self._clock() - self._start
-        return spent * (self._weight - self._weight_done) / self._weight_done
 
     def line(self, workers: int) -> str:
         """Say all of it in a line, with as many files as are worked at."""
-        left = self.seconds_left
+        current = dict(islice(self._current.items(), workers))
+        left = self._left.seconds(current, workers)
         about = "" if math.isnan(left) else f", about {duration(left)} left"
-        names = ", ".join(list(self._current.values())[:workers])
-        return f"{self.done} of {count(self._files, 'file')}{about}: {names}"
+        return f"{self.done} of {count(self._files, 'file')}{about}: {', '.join(current.values())}"
 
 
 def duration(seconds: float) -> str:
@@ -95,5 +86,6 @@ def end_text(finished: Finished, done: int, files: int) -> str:
     return f"{done} of {files}: {result_text(finished.row)}"
 
 
-def _weight(task: Task) -> float:
-    return float(max(task.size, SMALLEST))
+def _short(file: str) -> str:
+    """Return a file's name, or the end of it, where names differ."""
+    return file if len(file) <= LONGEST_NAME else "…" + file[1 - LONGEST_NAME :]

@@ -18,7 +18,8 @@ SUMMARIES = (PAGE, TABLE)
 COLUMNS = (
     "file", "state", "frames", "markers", "rate_hz", "gaps", "filled", "left_open",
     "samples_missing", "samples_filled", "reasons", "expected_median_mm", "expected_worst_mm",
-    "worst_place", "no_estimate", "tracked_before_percent", "tracked_after_percent",
+    "worst_place", "no_estimate", "tracked_before_percent", "wrong_before_percent",
+    "tracked_after_percent",
     "fixed", "fixed_samples", "smoothed_markers", "smoothing_rms_mm", "smoothing_largest_mm",
     "seconds", "output", "report", "warnings", "error", "todo",
 )  # fmt: skip
@@ -62,7 +63,7 @@ def reason_text(reason: Reason) -> str:
 
 def _values(row: Row) -> tuple[Any, ...]:
     figures, problem = row.figures, row.problem
-    measured: tuple[Any, ...] = (None,) * 20
+    measured: tuple[Any, ...] = (None,) * 21
     warnings: tuple[str, ...] = ()
     if figures is not None:
         warnings, smoothed = figures.warnings, figures.smoothed
@@ -71,7 +72,7 @@ def _values(row: Row) -> tuple[Any, ...]:
             figures.left_open, figures.samples_missing, figures.samples_filled,
             "; ".join(map(reason_text, figures.reasons)), figures.expected_median_mm,
             figures.expected_worst_mm, figures.worst_place, figures.no_estimate,
-            figures.tracked_before, figures.tracked_after,
+            figures.tracked_before, figures.wrong_before, figures.tracked_after,
             "; ".join(f"{each.kind}: {count(each.runs, 'run')}" for each in figures.fixed),
             figures.samples_fixed, smoothed.markers if smoothed else 0,
             smoothed.rms_mm if smoothed else None, smoothed.largest_mm if smoothed else None,

@@ -89,7 +89,8 @@ def _head(rows: Sequence[Row], facts: Facts) -> Iterator[tuple[str, str]]:
         f"{totals.samples_missing} before, {totals.samples_missing - totals.samples_filled} after",
     )
     before, after = totals.tracked_before, totals.tracked_after
-    yield "Markers tracked", f"{share(before)} % before, {share(after)} % after"
+    wrong = f" ({share(totals.wrong_before)} % were there but wrong)" if totals.wrong_before else ""
+    yield "Markers tracked", f"{share(before)} % before{wrong}, {share(after)} % after"
     yield "Time", f"{facts.seconds:.1f} s with {facts.workers}; one by one {totals.seconds:.1f} s"
 
 
@@ -165,8 +166,9 @@ def _success(rows: Sequence[Row]) -> Iterator[Part]:
         return
     before, after = np.sort(np.array(known, dtype=np.float64), axis=0).T
     yield Text(
-        "Share of the markers that are there, mean over a file's frames: as many of the files as "
-        "the axis below says have no more than the curve.",
+        "Share of the markers that are there and not known to be wrong, mean over a file's frames. "
+        "The files are in the order of their shares: at 20 %, a fifth of them has no more than the "
+        "curve shows.",
         dim=True,
     )
     chart = charts.draw(

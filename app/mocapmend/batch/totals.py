@@ -28,8 +28,9 @@ class Totals:
         Bad samples that were put right.
     files_smoothed : int
         Files in which something was smoothed.
-    tracked_before, tracked_after : float or None
-        Mean tracking success in %, each file weighted by its frames; None without any.
+    tracked_before, wrong_before, tracked_after : float or None
+        Mean tracking success, and share of the markers that were there but wrong, in %, each file
+        weighted by its frames; None without any.
     seconds : float
         What the files took one by one; those of earlier runs count.
     """
@@ -49,6 +50,7 @@ class Totals:
     samples_fixed: int
     files_smoothed: int
     tracked_before: float | None
+    wrong_before: float | None
     tracked_after: float | None
     seconds: float
 
@@ -73,6 +75,7 @@ class Totals:
             samples_fixed=sum(figures.samples_fixed for figures in known),
             files_smoothed=sum(bool(each.smoothed and each.smoothed.markers) for each in known),
             tracked_before=_weighted((each.tracked_before, each.frames) for each in known),
+            wrong_before=_weighted((each.wrong_before, each.frames) for each in known),
             tracked_after=_weighted((each.tracked_after, each.frames) for each in known),
             seconds=math.fsum(row.seconds for row in rows),
         )

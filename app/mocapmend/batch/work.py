@@ -79,6 +79,7 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
     """
     start = time.perf_counter()
     trace = ""
+    before = stamp_of(task.out)
     try:
         return _repaired(task, start, progress, began)
     except Cancelled:
@@ -86,7 +87,7 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
     except NothingToRepairError as error:
         seconds = time.perf_counter() - start
         row = Row(file=task.file, state="nothing", problem=Problem.of(error), seconds=seconds)
-        return Finished(row)
+        return Finished(row, untouched=True)
     except MocapmendError as error:
         problem = Problem.of(error)
     except MemoryError:
@@ -102,7 +103,8 @@ def do(task: Task, progress: Progress, began: repairing.Began) -> Finished:
             str(task.request.file),
             "The log file has the details: please report it.",
         )
-    return Finished(task.failed(problem, time.perf_counter() - start), trace=trace)
+    row = task.failed(problem, time.perf_counter() - start)
+    return Finished(row, untouched=stamp_of(task.out) == before, trace=trace)
 
 
 def _repaired(task: Task, start: float, progress: Progress, began: repairing.Began) -> Finished:
@@ -148,8 +150,10 @@ def figures_of(done: Outcome) -> Figures:
     recording, repairs, unfilled = done.source.recording, done.repairs, done.result.unfilled
     known = [row for row in repairs if not np.isnan(row.expected_error_mm)]
     worst = max(known, key=lambda row: row.expected_error_mm, default=None)
-    before, after = tracked(done.source.measured), tracked(done.after)
-    counted = np.logical_or.reduce(before | after, axis=0)
+    measured = done.source.measured
+    there, after = tracked(measured), tracked(done.after)
+    counted = np.logical_or.reduce(there | after, axis=0)
+    wrong = done.put_right.wrong_in(measured)
     return Figures(
         frames=recording.frames,
         markers=recording.markers,
@@ -166,7 +170,8 @@ def figures_of(done: Outcome) -> Figures:
         expected_worst_mm=None if worst is None else worst.expected_error_mm,
         worst_place="" if worst is None else done.place(worst.gap),
         no_estimate=len(repairs) - len(known),
-        tracked_before=_mean_success(before, counted),
+        tracked_before=_mean_success(there & ~wrong, counted),
+        wrong_before=_mean_success(wrong, counted),
         tracked_after=_mean_success(after, counted),
         fixed=fixed_of(done.fixed),
         smoothed=None if done.smoothing is None else smoothed_of(done.smoothing, recording.mm),
@@ -208,8 +213,8 @@ def reasons_of(unfilled: Sequence[Unfilled]) -> tuple[Reason, ...]:
     return tuple(reasons[:MOST_REASONS])
 
 
-def _mean_success(there: BoolArray, counted: BoolArray) -> float | None:
-    """Return the mean tracking success in %; None where no marker counts."""
+def _mean_success(samples: BoolArray, counted: BoolArray) -> float | None:
+    """Return the share of such samples, mean over the frames, in %; None where no marker counts."""
     if not counted.any():
         return None
-    return 100 * float(success_curves(there, counted=counted).instantaneous.mean())
+    return 100 * float(success_curves(samples, counted=counted).instantaneous.mean())

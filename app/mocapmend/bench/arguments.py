@@ -2,6 +2,9 @@
 
 import argparse
 from collections.abc import Callable
+from pathlib import Path
+
+DATA = Path("../shared/data")
 
 
 def add_size(parser: argparse.ArgumentParser) -> None:
@@ -11,6 +14,17 @@ def add_size(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--frames", type=at_least(100), default=100_000, help="frames of the recording"
+    )
+
+
+def add_data(parser: argparse.ArgumentParser) -> None:
+    """Take the folder of the recordings."""
+    parser.add_argument(
+        "--data",
+        type=Path,
+        default=DATA,
+        metavar="DIR",
+        help="the folder of the recordings (default: %(default)s)",
     )
 
 

@@ -108,3 +108,8 @@ class Report:
 
 def _finite(value: Cell) -> Cell:
     return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def share(part: int, whole: int) -> float:
+    """Return a part of a whole, for a cell; NaN of nothing."""
+    return part / whole if whole else math.nan

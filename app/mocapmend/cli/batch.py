@@ -30,6 +30,7 @@ from mocapmend.batch.work import Task
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
+from mocapmend.errors import MocapmendError
 from mocapmend.interrupts import Wish, wish_to_stop
 from mocapmend.plan import Plan, read_plan
 from mocapmend.report import method_text
@@ -167,7 +168,7 @@ class _Watcher:
 
     def finished(self, task: Task, finished: Finished) -> None:
         """Say what has become of a file, where a line stays or something is wrong."""
-        self._tracker.finished(task)
+        self._tracker.finished(task, finished.row)
         if finished.row.problem is not None or not self._console.changes_lines:
             files = len(self._batch.tasks)
             self._console.note(end_text(finished, self._tracker.done, files))
@@ -181,7 +182,12 @@ def _tell(batch: Batch, facts: Facts, console: Console) -> int:
     """Write the summaries, print the result, and return the exit code."""
     rows = by_need(batch.rows.values())
     totals = Totals.of(rows)
-    page, table = write_summaries(rows, facts, batch.order.out)
+    page = table = None
+    try:
+        page, table = write_summaries(rows, facts, batch.order.out)
+    except MocapmendError as error:
+        # What was done is to be told all the same.
+        console.warn(str(error))
     console.result(
         folder=str(facts.folder),
         output=str(facts.out),
@@ -195,12 +201,13 @@ def _tell(batch: Batch, facts: Facts, console: Console) -> int:
         seconds=facts.seconds,
         totals=asdict(totals),
         files=[row.as_json() for row in rows],
-        summary_html=str(page),
-        summary_csv=str(table),
+        summary_html=None if page is None else str(page),
+        summary_csv=None if table is None else str(table),
     )
     _say(totals, facts, console)
-    console.say(f"Summary:  {page}")
-    console.say(f"Table:    {table}")
+    if page is not None:
+        console.say(f"Summary:  {page}")
+        console.say(f"Table:    {table}")
     _say_failures([row for row in rows if row.state == "failed"], console)
     if totals.waiting:
         console.warn(
@@ -208,7 +215,7 @@ def _tell(batch: Batch, facts: Facts, console: Console) -> int:
             "The same command goes on where this one has stopped."
         )
         return INTERRUPTED
-    return FAILED if totals.failed else DONE
+    return FAILED if totals.failed or page is None else DONE
 
 
 def _say(totals: Totals, facts: Facts, console: Console) -> None:

@@ -1,6 +1,7 @@
 """What several commands share: their arguments, reading a file, describing a gap."""
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mocapmend.cli.console import Console
+from mocapmend.cli.usage import UsageError
 from mocapmend.engine import Exported
 from mocapmend.files import CheckReport, Source
 from mocapmend.files.sidecar import sidecar_path
@@ -26,6 +28,23 @@ MOST_ROWS = 20
 def add_file(parser: argparse.ArgumentParser) -> None:
     """Let a command take a recording."""
     parser.add_argument("file", type=Path, metavar="FILE", help="a recording")
+
+
+def name_values(option: str, given: Sequence[str]) -> dict[str, str]:
+    """Read what an option was given as NAME=VALUE, several times.
+
+    Raises
+    ------
+    UsageError
+        If something has no "=".
+    """
+    values = {}
+    for text in given:
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise UsageError(f"{option} takes NAME=VALUE, not {text!r}")
+        values[name.strip()] = value
+    return values
 
 
 def show_warnings(source: Source, console: Console) -> None:

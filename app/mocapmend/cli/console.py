@@ -9,6 +9,7 @@ import time
 from collections.abc import Sequence
 from io import TextIOWrapper
 from typing import Any
+from unicodedata import combining, east_asian_width
 
 from mocapmend.errors import MocapmendError
 
@@ -84,8 +85,8 @@ class Console:
             return
         self._next = now + STEP_S
         # A line that is wrapped cannot be taken back.
-        line = printable(line)[: shutil.get_terminal_size().columns - 1]
-        sys.stderr.write("\r" + line.ljust(len(self._line)))
+        line = fitting(printable(line), shutil.get_terminal_size().columns - 1)
+        sys.stderr.write("\r" + line + " " * (columns_of(self._line) - columns_of(line)))
         sys.stderr.flush()
         self._line = line
 
@@ -98,7 +99,7 @@ class Console:
     def _clear(self) -> None:
         """Take the progress line away before anything else is printed."""
         if self._line:
-            sys.stderr.write("\r" + " " * len(self._line) + "\r")
+            sys.stderr.write("\r" + " " * columns_of(self._line) + "\r")
             sys.stderr.flush()
             self._line = ""
 
@@ -127,6 +128,20 @@ def abandon_stdout() -> None:
 def printable(text: str) -> str:
     """Replace what could control a terminal: labels come from files."""
     return "".join(c if c.isprintable() or c == "\n" else "\N{REPLACEMENT CHARACTER}" for c in text)
+
+
+def columns_of(text: str) -> int:
+    """Return how many columns of a terminal a text takes: signs of East Asia take two."""
+    return sum(
+        0 if combining(sign) else 1 + (east_asian_width(sign) in {"W", "F"}) for sign in text
+    )
+
+
+def fitting(line: str, columns: int) -> str:
+    """Cut a line that is wider than some columns."""
+    while columns_of(line) > columns:
+        line = line[:-1]
+    return line
 
 
 def without_nan(value: Any) -> Any:

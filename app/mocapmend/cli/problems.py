@@ -5,6 +5,7 @@ several detectors find is listed once, as what explains it best.
 """
 
 import argparse
+import dataclasses
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,8 +14,10 @@ import numpy as np
 from mocapmend import engine
 from mocapmend.cli import common
 from mocapmend.cli.console import Console
+from mocapmend.cli.usage import UsageError
 from mocapmend.files import Source, read_recording
 from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms import params as parameters
 from mocapmend_algorithms.problems import BadRun, detect
 from mocapmend_algorithms.problems.registry import DETECTORS, detector, remedy
 from mocapmend_algorithms.progress import part
@@ -29,22 +32,33 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="KIND,...",
         help=f"kinds of problems to look for: {', '.join(DETECTORS)} (default: all)",
     )
+    names = [f"{kind}.{name}" for kind, way in DETECTORS.items() for name in _names(way.params)]
+    parser.add_argument(
+        "--param",
+        action="append",
+        default=[],
+        metavar="KIND.NAME=VALUE",
+        help="a parameter of what looks for a kind, such as spikes.least_mm=5; may be given "
+        f"several times. There are: {', '.join(names)}",
+    )
 
 
 def run(arguments: argparse.Namespace, console: Console) -> int:
     """Print every bad run and return the exit code."""
+    params = _params(arguments.only, arguments.param)
     source = read_recording(arguments.file)
     common.show_warnings(source, console)
     recording = source.measured
     console.start("Looking for problems")
     skeleton = engine.find_skeleton(source, part(console.progress, 0.0, 0.1))
     looked = part(console.progress, 0.1, 1.0)
-    found = detect(recording, skeleton, arguments.only, looked)
+    found = detect(recording, skeleton, arguments.only, looked, params=params)
     found.sort(key=lambda each: (-each.harm, each.marker, each.start))
     samples = _samples(recording, found)
     console.result(
         **common.facts(source),
-        kinds=arguments.only or list(DETECTORS),
+        kinds=list(params),
+        parameters={kind: dataclasses.asdict(own) for kind, own in params.items()},
         problems=[_as_json(source, each) for each in found],
         bad_samples=samples,
     )
@@ -63,6 +77,25 @@ def _kinds(text: str) -> list[str]:
         return [detector(name.strip()).id for name in text.split(",")]
     except KeyError as error:
         raise argparse.ArgumentTypeError(error.args[0]) from None
+
+
+def _names(params: type[Any]) -> list[str]:
+    return [field.name for field in dataclasses.fields(params)]
+
+
+def _params(only: Sequence[str] | None, given: Sequence[str]) -> dict[str, Any]:
+    """Return the parameters of each kind that is looked for."""
+    pairs: dict[str, dict[str, str]] = {kind: {} for kind in only or DETECTORS}
+    for name, value in common.name_values("--param", given).items():
+        kind, _, own = name.partition(".")
+        if kind not in pairs:
+            kinds = ", ".join(pairs)
+            raise UsageError(f"--param takes KIND.NAME=VALUE, with a kind of {kinds}; not {name!r}")
+        pairs[kind][own] = value
+    try:
+        return {kind: parameters.parse(detector(kind).params, own) for kind, own in pairs.items()}
+    except ValueError as error:
+        raise UsageError(f"--param: {error}") from None
 
 
 def _samples(recording: Recording, found: Sequence[BadRun]) -> int:

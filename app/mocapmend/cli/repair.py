@@ -221,7 +221,7 @@ def _smoothing(arguments: argparse.Namespace) -> Smoothing | None:
             raise UsageError("--smooth-param belongs to --smooth")
         return None
     try:
-        params = smoothers.parse_params(smoother, _pairs("--smooth-param", pairs))
+        params = smoothers.parse_params(smoother, common.name_values("--smooth-param", pairs))
     except ValueError as error:
         raise UsageError(f"smoothing {smoother.id}: {error}") from None
     return Smoothing(smoother.id, params)
@@ -229,16 +229,6 @@ def _smoothing(arguments: argparse.Namespace) -> Smoothing | None:
 
 def _params(method: registry.Method, pairs: Sequence[str]) -> Any:
     try:
-        return registry.parse_params(method, _pairs("--param", pairs))
+        return registry.parse_params(method, common.name_values("--param", pairs))
     except ValueError as error:
         raise UsageError(f"method {method.id}: {error}") from None
-
-
-def _pairs(option: str, pairs: Sequence[str]) -> dict[str, str]:
-    values = {}
-    for pair in pairs:
-        name, equals, value = pair.partition("=")
-        if not equals:
-            raise UsageError(f"{option} takes NAME=VALUE, not {pair!r}")
-        values[name.strip()] = value
-    return values

@@ -1,6 +1,7 @@
 """Make the edits of a recipe again, with the same bytes as result."""
 
 import argparse
+from collections.abc import Iterator
 from pathlib import Path
 
 from mocapmend import engine, recipe, replaying
@@ -9,20 +10,22 @@ from mocapmend.cli.console import Console
 from mocapmend.files import check_ending, read_recording
 from mocapmend.files.sidecar import hash_file
 
-COUNTED = {
-    "filled": "fills",
-    "reopened": "reopened",
-    "kept_open": "kept_open",
-    "freed": "freed",
-    "set_aside": "set_aside",
-    "believed": "believed",
-    "moved": "moved",
-    "moved_back": "moved_back",
-    "smoothed": "smoothed",
-    "renamed": "renamed",
-    "renamed_back": "renamed_back",
-}
-"""Edits of a recipe that the JSON document counts, by the names that they have there."""
+COUNTED = (
+    ("filled", "fills", "gap", "filled"),
+    ("reopened", "reopened", "repair", "reopened"),
+    ("kept_open", "kept_open", "gap", "kept open"),
+    ("freed", "freed", "gap", "freed"),
+    ("set_aside", "set_aside", "run", "set aside"),
+    ("believed", "believed", "run", "believed again"),
+    ("moved", "moved", "run", "moved to another marker"),
+    ("moved_back", "moved_back", "run", "moved back"),
+    ("smoothed", "smoothed", "run", "smoothed"),
+    ("renamed", "renamed", "marker", "renamed"),
+    ("renamed_back", "renamed_back", "marker", "without the former name"),
+)
+"""Edits of a recipe: in the JSON document, in the recipe, and what people read of them."""
+ALWAYS = frozenset({"fills", "reopened"})
+"""Those that people are told of where there is none, too."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,28 +63,18 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         recipe=str(arguments.recipe),
         same_input=same_input,
         output=str(out),
-        **{key: len(getattr(made, name)) for key, name in COUNTED.items()},
+        **{key: len(getattr(made, name)) for key, name, _, _ in COUNTED},
         **common.written(exported),
     )
     console.say(f"Replayed: {out}")
-    edits = [
-        f"{common.count(len(made.fills), 'gap')} filled",
-        f"{common.count(len(made.reopened), 'repair')} reopened",
-    ]
-    for entries, thing, what in (
-        (made.kept_open, "gap", "kept open"),
-        (made.freed, "gap", "freed"),
-        (made.set_aside, "run", "set aside"),
-        (made.believed, "run", "believed again"),
-        (made.moved, "run", "moved to another marker"),
-        (made.moved_back, "run", "moved back"),
-        (made.smoothed, "run", "smoothed"),
-        (made.renamed, "marker", "renamed"),
-        (made.renamed_back, "marker", "without the former name"),
-    ):
-        if entries:
-            edits.append(f"{common.count(len(entries), thing)} {what}")
-    console.say(f"Edits:    {', '.join(edits)}")
+    console.say(f"Edits:    {', '.join(_told(made))}")
     for sentence in exported.sentences:
         console.say(sentence)
     return 0
+
+
+def _told(made: recipe.Recipe) -> Iterator[str]:
+    for _, name, thing, what in COUNTED:
+        number = len(getattr(made, name))
+        if number or name in ALWAYS:
+            yield f"{common.count(number, thing)} {what}"

@@ -5,6 +5,7 @@ repaired has none: then the report says what differs, and not by which method.
 """
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from mocapmend import engine
@@ -46,11 +47,13 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     for source in (original, repaired):
         common.show_warnings(source, console)
     _require_same_shape(original, repaired)
+    # Repairs name markers as they are called now.
+    before = replace(original.measured, labels=repaired.recording.labels)
     known = zip(repaired.repaired, repaired.repairs, strict=True)
     rows = [RepairRow.from_record(gap, record) for gap, record in known]
     console.start("Report")
     engine.write_report(
-        original.measured,
+        before,
         repaired.recording,
         engine.find_skeleton(original, console.progress),
         rows,
@@ -85,13 +88,20 @@ def _about(original: Source, repaired: Source) -> About:
         earlier=len(repaired.repairs),
         earlier_program=provenance.program if provenance is not None else "",
         proof=() if found is None else (found.sentence, *found.allowed, *found.other_differences),
-        put_right=put_right(repaired.set_aside, repaired.moves, smoothed),
+        put_right=put_right(
+            repaired.set_aside,
+            repaired.moves,
+            smoothed,
+            moved_before=original.moves,
+            renamed=() if provenance is None else provenance.corrections.renamed,
+        ),
     )
 
 
 def _require_same_shape(original: Source, repaired: Source) -> None:
     one, other = original.recording, repaired.recording
-    if (one.labels, one.frames, one.unit) != (other.labels, other.frames, other.unit):
+    same_size = (one.frames, one.unit) == (other.frames, other.unit)
+    if not same_size or original.first_labels != repaired.first_labels:
         raise MocapmendError(
             "The two recordings differ in their markers, frames or unit: they cannot be compared.",
             str(repaired.path),

@@ -88,16 +88,17 @@ def check_place(path: Path, *, overwrite: bool) -> None:
     MocapmendError
         If something is in the way.
     """
-    if path.is_dir():
+    # These swallow errors: one need not be allowed to look there.
+    if os.path.isdir(path):  # noqa: PTH112
         raise MocapmendError("This is a folder, not a file.", str(path), "Name a file in it.")
-    if path.exists() and not overwrite:
+    if os.path.exists(path) and not overwrite:  # noqa: PTH110
         raise MocapmendError(
             "There is already a file of this name.",
             str(path),
             "Choose another name, or add --overwrite to replace it.",
         )
     folder = Path(os.path.realpath(path)).parent
-    if not folder.is_dir():
+    if not os.path.isdir(folder):  # noqa: PTH112
         raise MocapmendError(
             "The folder does not exist.", str(folder), "Create it or choose another."
         )

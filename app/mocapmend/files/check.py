@@ -154,24 +154,15 @@ def check_files(
     if not order.possible:
         others.append("The repair record lists exchanges that contradict each other.")
     allowed = Allowed(order, earlier, record, found, alignment.layout)
-    if record is not None:
-        # A copy without new repairs has the record of its original, which names one before.
-        copied = earlier is not None and record.inputs == earlier.inputs
-        if not copied and sidecar.hash_file(original) not in record.inputs:
-            others.append("The repair record names another original.")
+    if record is not None and not _names_original(record, earlier, original):
+        others.append("The repair record names another original.")
     others += _sentences(layout, names, models, found, allowed)
     if alignment.converted and not (record is not None and record.converted):
         others.append("Integers became floats, and no repair record says so.")
     changed = found.changed
     changed[:, sorted(models)] = False
     return CheckReport(
-        changed=tuple(
-            ChangedRun(
-                names[point], point, layout.first_frame + start, layout.first_frame + stop - 1
-            )
-            for point in np.flatnonzero(changed.any(axis=0)).tolist()
-            for start, stop in runs(changed[:, point])
-        ),
+        changed=tuple(_changed_runs(changed, names, layout)),
         changed_samples=int(np.count_nonzero(changed)),
         allowed=(*allowed.sentences(), *_about_labels(names, labels), *_about_structure(alignment)),
         other_differences=tuple(others),
@@ -188,6 +179,21 @@ def _record(path: Path, side: Side) -> Provenance | None:
         return decode_group(side.layout.parameters)
     except ValueError:
         return None
+
+
+def _names_original(record: Provenance, earlier: Provenance | None, original: Path) -> bool:
+    # A copy without new repairs has the record of its original, which names one before.
+    copied = earlier is not None and record.inputs == earlier.inputs
+    return copied or sidecar.hash_file(original) in record.inputs
+
+
+def _changed_runs(
+    changed: NDArray[np.bool_], names: Sequence[str], layout: Layout
+) -> Iterator[ChangedRun]:
+    first = layout.first_frame
+    for point in np.flatnonzero(changed.any(axis=0)).tolist():
+        for start, stop in runs(changed[:, point]):
+            yield ChangedRun(names[point], point, first + start, first + stop - 1)
 
 
 def _renamed(record: Provenance | None) -> tuple[Renamed, ...]:

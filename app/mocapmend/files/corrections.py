@@ -21,6 +21,8 @@ _SMOOTHED: Kinds = {
     "chosen": (dict,),
     "rms_change_mm": (int, float, type(None)),
 }
+_PER_AXIS = frozenset({"cutoff_hz", "window_frames"})
+"""What a method chooses for each axis."""
 _RENAMED: Kinds = {"point": (int,), "former": (str,), "marker": (str,)}
 
 
@@ -133,8 +135,19 @@ class SmoothedRun(RecordedRun):
         values = values_of(data, _SMOOTHED, "a run that was smoothed")
         for key in ("parameters", "chosen"):
             values[key] = {k: parameter(v, (str, int, float)) for k, v in values[key].items()}
+        for key in _PER_AXIS.intersection(values["chosen"]):
+            if not _are_numbers(values["chosen"][key]):
+                raise ValueError(f"the {key!r} of a run that was smoothed are no numbers")
         change = values["rms_change_mm"]
         return cls(**values | {"rms_change_mm": math.nan if change is None else float(change)})
+
+
+def _are_numbers(value: object) -> bool:
+    return (
+        isinstance(value, tuple)
+        and bool(value)
+        and not any(isinstance(one, (bool, str)) for one in value)
+    )
 
 
 @dataclass(frozen=True)

@@ -157,6 +157,14 @@ class Source:
             before[move.start : move.stop, move.origin] = now[move.start : move.stop, move.marker]
         return self.recording.with_points(before)
 
+    @property
+    def first_labels(self) -> tuple[str, ...]:
+        """What the markers were called before any was renamed, as far as the file tells."""
+        labels = list(self.recording.labels)
+        for entry in () if self.provenance is None else self.provenance.corrections.renamed:
+            labels[self.markers_by_point[entry.point]] = entry.former
+        return tuple(labels)
+
     def place(self, run: Gap) -> tuple[str, int, int, int]:
         """Return marker, point, first and last frame of a run as a repair record has them."""
         recording = self.recording

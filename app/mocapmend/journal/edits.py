@@ -76,6 +76,7 @@ def encode(
             "exchanges": [list(each) for each in correction.exchanges],
             "gone": _listed(correction.doubts.gone),
             "come": _listed(correction.doubts.come),
+            "found_as": list(correction.found_as),
         }
     data = (
         *_bytes("<i8", [[(edit.gap.marker, edit.gap.start, edit.gap.stop) for edit in edits]]),
@@ -187,7 +188,10 @@ def decode_correction(event: Event, recording: Recording) -> Correction | None:
             _require_inside(run, recording)
     for run in (*gone, *come):
         _require_inside(run, recording)
-    return Correction(exchanges, Change(gone, come))
+    # Journals of before have none.
+    found_as = tuple(stated.get("found_as", ()))
+    _require(all(isinstance(kind, str) for kind in found_as))
+    return Correction(exchanges, Change(gone, come), found_as)
 
 
 def decode_labels(event: Event, recording: Recording) -> dict[int, str]:

@@ -6,10 +6,12 @@ from typing import ClassVar
 
 from mocapmend import __version__
 from mocapmend.report import charts, put_right_text, tables
+from mocapmend.report.facts import facts
 from mocapmend.report.methods import describe
 from mocapmend.report.model import About, Report
 from mocapmend.report.put_right import PutRight
 from mocapmend.report.tables import Table
+from mocapmend.wording import count
 from mocapmend_algorithms.metrics import SuccessCurves
 
 KINDS = (
@@ -95,6 +97,7 @@ def contents(report: Report, about: About) -> Content:
         Section("bones", "Bone lengths", tuple(_bones(report))),
         Section("markers", "Markers", tuple(_markers(report))),
         Section("bad", "Bad samples", tuple(_bad(about.put_right))),
+        Section("names", "Renamed markers", tuple(_names(about.put_right))),
         Section("repairs", "Repairs", tuple(_repairs(report))),
         Section("open", "Gaps left open", tuple(_open(report))),
         Section("smoothing", "Smoothing", tuple(_smoothing(report, about.put_right))),
@@ -104,46 +107,9 @@ def contents(report: Report, about: About) -> Content:
     return Content(
         about.file,
         f"Repair report, mocapmend {__version__}",
-        (Pairs(tuple(_facts(report, about))),),
+        (Pairs(tuple(facts(report, about))),),
         tuple(section for section in sections if section.parts),
     )
-
-
-def _facts(report: Report, about: About) -> Iterator[tuple[str, str]]:
-    first, frames = report.first_frame, report.frames
-    span = f" ({first} – {first + frames - 1} as the file counts them)" if frames else ""
-    yield "Frames", f"{frames}{span}, {report.rate:g} Hz, {frames / report.rate:.2f} s"
-    yield "Markers", str(len(report.labels))
-    yield "Method", ", ".join(about.methods) or "none"
-    if about.limits:
-        yield "Limits", about.limits
-    # What was set aside and then filled was not missing before; what is filled without a record is
-    # in no list.
-    filled = max(
-        sum(row.filled for row in report.markers), sum(row.gap.length for row in report.repairs)
-    )
-    earlier = (
-        f" ({about.earlier} of the gaps had been repaired in the file before)"
-        if about.earlier
-        else ""
-    )
-    yield "Repaired", f"{_count(len(report.repairs), 'gap')}, {_count(filled, 'sample')}{earlier}"
-    yield from _put_right(about.put_right)
-    unfilled = sum(row.unfilled for row in report.markers)
-    yield "Left open", f"{_count(len(report.open_gaps), 'gap')}, {_count(unfilled, 'sample')}"
-
-
-def _put_right(done: PutRight) -> Iterator[tuple[str, str]]:
-    if done.aside:
-        counts = (f"{row.problem}: {row.samples}" for row in done.aside)
-        samples = sum(row.samples for row in done.aside)
-        yield "Set aside", f"{_count(samples, 'sample')} ({', '.join(counts)})"
-    if done.moved_runs:
-        samples, markers = done.moved_samples, done.moved_markers
-        yield "Exchanged", f"{_count(samples, 'sample')} of {_count(markers, 'marker')}"
-    if done.smoothed:
-        methods = ", ".join(dict.fromkeys(row.method for row in done.smoothed))
-        yield "Smoothed", f"{_count(done.smoothed_markers, 'marker')} ({methods})"
 
 
 def _warnings(about: About) -> Iterator[Part]:
@@ -161,13 +127,24 @@ def _methods(report: Report, about: About) -> Iterator[Part]:
 
 def _success(report: Report) -> Iterator[Part]:
     yield Text(
-        "Share of the markers that are present. Markers never seen in the recording do not count.",
+        "Share of the markers that are present and not known to be wrong. Markers never seen in "
+        "the recording do not count.",
         dim=True,
     )
+    if report.wrong_before:
+        samples = max(report.frames * len(report.labels), 1)
+        shares = (
+            tables.percent(100 * number / samples)
+            for number in (report.missing_before, report.wrong_before)
+        )
+        yield Text(
+            "Before, {} % of all samples were missing, and {} % were there but wrong: they are "
+            "set aside or exchanged since.".format(*shares)
+        )
     yield Figures(tuple(_curves(report, "markers (%)", None)))
     if report.segment_success is not None:
         yield Text(
-            f"The same for {_count(report.segments, 'segment')}: markers that keep their "
+            f"The same for {count(report.segments, 'segment')}: markers that keep their "
             "distances to each other. A segment counts as tracked when all its markers are.",
             dim=True,
         )
@@ -193,7 +170,7 @@ def _bones(report: Report) -> Iterator[Part]:
     yield Text(
         f"Bones with the most repaired frames ({len(report.shown_bones)} of {len(report.bones)}). "
         "A bone is a pair of markers whose distance is nearly constant; a repair that bends its "
-        "curve is doubtful.",
+        "curve is doubtful. Smoothing alone does not count as a repair.",
         dim=True,
     )
     drawn = (
@@ -236,6 +213,11 @@ def _bad(done: PutRight) -> Iterator[Part]:
         yield Text(sentence)
 
 
+def _names(done: PutRight) -> Iterator[Part]:
+    if done.renamed:
+        yield tables.names(done)
+
+
 def _smoothing(report: Report, done: PutRight) -> Iterator[Part]:
     if done.smoothed:
         yield Text(
@@ -266,7 +248,7 @@ def _open(report: Report) -> Iterator[Part]:
 def _history(report: Report, about: About) -> Iterator[Part]:
     if about.earlier:
         by = f" ({about.earlier_program})" if about.earlier_program else ""
-        yield Text(f"When the file was opened, it had {_count(about.earlier, 'repair')}{by}.")
+        yield Text(f"When the file was opened, it had {count(about.earlier, 'repair')}{by}.")
     if about.edits:
         yield tables.history(about)
     else:
@@ -279,7 +261,3 @@ def _check(about: About) -> Iterator[Part]:
         yield Bullets(about.proof)
     else:
         yield Text("This report was made without writing a recording, so no file was checked.")
-
-
-def _count(number: int, thing: str) -> str:
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"

@@ -11,6 +11,7 @@ from mocapmend import __version__
 from mocapmend.report import put_right_text
 from mocapmend.report.model import About, RepairRow, Report
 from mocapmend.report.sources import SOURCES
+from mocapmend.wording import count, was
 from mocapmend_algorithms.fill.registry import METHODS
 from mocapmend_algorithms.params import write_words
 
@@ -67,6 +68,7 @@ def describe(report: Report, about: About) -> Methods:
         references += [r for r in (source.references if source else ()) if r not in references]
     sentences = (
         _facts(report, about),
+        put_right_text.renamed(about.put_right),
         put_right_text.exchanged(about.put_right),
         put_right_text.set_aside(about.put_right),
         _filled(report, about, used, references),
@@ -113,11 +115,11 @@ def _facts(report: Report, about: About) -> str:
     gaps = sum(row.gaps_before for row in report.markers)
     done = "repaired" if len(report.repairs) > about.earlier or about.put_right else "examined"
     return (
-        f"The recording {about.file} ({_count(len(report.labels), 'marker')}, "
-        f"{_count(report.frames, 'frame')} at {report.rate:g} Hz, "
+        f"The recording {about.file} ({count(len(report.labels), 'marker')}, "
+        f"{count(report.frames, 'frame')} at {report.rate:g} Hz, "
         f"{report.frames / report.rate:.2f} s) was {done} with mocapmend {__version__}. "
-        f"Before, {_count(report.missing_before, 'sample')} ({_percent(share)} of all) "
-        f"{_was(report.missing_before)} missing, in {_count(gaps, 'gap')}."
+        f"Before, {count(report.missing_before, 'sample')} ({_percent(share)} of all) "
+        f"{was(report.missing_before)} missing, in {count(gaps, 'gap')}."
     )
 
 
@@ -129,9 +131,9 @@ def _filled(report: Report, about: About, used: Counter[str], references: Sequen
     if used:
         ways = "; ".join(_way(method, n, references) for method, n in used.most_common())
         gaps = len(report.repairs)
-        text = f"{_count(gaps, 'gap')} ({_count(listed, 'sample')}) {_was(gaps)} filled: {ways}."
+        text = f"{count(gaps, 'gap')} ({count(listed, 'sample')}) {was(gaps)} filled: {ways}."
     if others > 0:
-        text += f" {_count(others, 'sample')} {_was(others)} filled by a method that is not known."
+        text += f" {count(others, 'sample')} {was(others)} filled by a method that is not known."
     return text.strip()
 
 
@@ -144,12 +146,12 @@ def _settings(about: About) -> str:
     return f"Parameters other than the defaults: {'; '.join(chosen[:MOST_SETTINGS])}{more}."
 
 
-def _way(method: str, count: int, references: Sequence[str]) -> str:
+def _way(method: str, gaps: int, references: Sequence[str]) -> str:
     source = SOURCES.get(method)
     if source is None:
-        return f"{count} by the method “{method}”"
+        return f"{gaps} by the method “{method}”"
     numbers = ", ".join(str(references.index(text) + 1) for text in source.references)
-    return f"{count} by {source.phrase} (method “{method}”)" + f" [{numbers}]" * bool(numbers)
+    return f"{gaps} by {source.phrase} (method “{method}”)" + f" [{numbers}]" * bool(numbers)
 
 
 def _earlier(report: Report, about: About) -> str:
@@ -194,7 +196,7 @@ def _errors(repairs: Sequence[RepairRow]) -> str:
         f"{_mm(max(errors))} mm at most."
     )
     if unknown:
-        text += f" For {_count(unknown, 'gap')}, it could not be estimated."
+        text += f" For {count(unknown, 'gap')}, it could not be estimated."
     return text
 
 
@@ -203,12 +205,12 @@ def _left_open(report: Report) -> str:
         return "No gap was left open."
     samples = sum(row.gap.length for row in report.open_gaps)
     reasons = Counter(_kind(row.reason) for row in report.open_gaps).most_common()
-    listed = [f"{reason} ({_count(n, 'gap')})" for reason, n in reasons[:MOST_REASONS]]
+    listed = [f"{reason} ({count(n, 'gap')})" for reason, n in reasons[:MOST_REASONS]]
     if others := sum(n for _, n in reasons[MOST_REASONS:]):
-        listed.append(f"other reasons ({_count(others, 'gap')})")
+        listed.append(f"other reasons ({count(others, 'gap')})")
     return (
-        f"{_count(len(report.open_gaps), 'gap')} ({_count(samples, 'sample')}) "
-        f"{_was(len(report.open_gaps))} left open: {'; '.join(listed)}."
+        f"{count(len(report.open_gaps), 'gap')} ({count(samples, 'sample')}) "
+        f"{was(len(report.open_gaps))} left open: {'; '.join(listed)}."
     )
 
 
@@ -219,13 +221,11 @@ def _kind(reason: str) -> str:
 def _untouched(report: Report, about: About) -> str:
     if report.altered and about.put_right:
         return (
-            f"By all of this, {_count(report.altered, 'measured sample')} "
-            f"{_was(report.altered)} changed."
+            f"By all of this, {count(report.altered, 'measured sample')} "
+            f"{was(report.altered)} changed."
         )
     if report.altered:
-        return (
-            f"Besides, {_count(report.altered, 'measured sample')} {_was(report.altered)} changed."
-        )
+        return f"Besides, {count(report.altered, 'measured sample')} {was(report.altered)} changed."
     return "No measured sample was changed."
 
 
@@ -243,11 +243,3 @@ def _mm(length: float) -> str:
 
 def _percent(share: float) -> str:
     return f"{share:.2g} %" if share < 1 else f"{share:.1f} %"
-
-
-def _count(number: int, thing: str) -> str:
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
-
-
-def _was(number: int) -> str:
-    return "was" if number == 1 else "were"

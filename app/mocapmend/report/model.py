@@ -165,7 +165,8 @@ class Report:
     unit : str
         Length unit of the bones.
     success_before, success_after : SuccessCurves
-        Tracking success over time; both count the markers that are seen at all in either.
+        Tracking success over time; both count the markers that are seen at all in either. What
+        was there but wrong was not tracked.
     segments : int
         How many groups of markers move as one; 0 where none are known.
     segment_success : tuple of (SuccessCurves, SuccessCurves) or None
@@ -177,13 +178,14 @@ class Report:
     spread_before, spread_after : ndarray, shape (bones,)
         Coefficient of variation of their lengths in %; NaN where unknown.
     bone_repairs : ndarray of int, shape (bones,)
-        Frames in which an end of the bone was changed and the other end is there.
+        Frames in which an end of the bone was changed, not smoothed alone, and the other end is
+        there.
     shown_bones : tuple of int
         The bones most affected by the repairs, at most 6, as indices into `bones`.
     lengths_before, lengths_after : ndarray, shape (frames, shown bones)
         Their lengths, NaN where an end is missing.
     changed : ndarray of bool, shape (frames, shown bones)
-        Where an end of them was changed and the other end is there.
+        Where `bone_repairs` counts.
     markers : tuple of MarkerRow
         One per marker.
     labels : tuple of str
@@ -192,8 +194,8 @@ class Report:
         The filled gaps.
     open_gaps : tuple of OpenGap
         All gaps that are still there.
-    missing_before : int
-        Samples that were missing.
+    missing_before, wrong_before : int
+        Samples that were missing, and those that were there but wrong.
     altered : int
         Samples that were measured and are others now, or none.
     """
@@ -220,4 +222,5 @@ class Report:
     repairs: tuple[RepairRow, ...]
     open_gaps: tuple[OpenGap, ...]
     missing_before: int
+    wrong_before: int
     altered: int

@@ -4,9 +4,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, Self
 
+import numpy as np
+
 from mocapmend import wording
-from mocapmend_algorithms import Gap
-from mocapmend_algorithms.corrections import Move
+from mocapmend.files import Renamed
+from mocapmend_algorithms import Gap, Recording
+from mocapmend_algorithms.arrays import BoolArray
+from mocapmend_algorithms.corrections import Move, merged_runs
 from mocapmend_algorithms.smooth.registry import AMOUNTS, SMOOTHERS
 
 
@@ -89,6 +93,11 @@ class PutRight:
         that is not known.
     smoothed : tuple of SmoothRow
         The smoothed runs, by marker and start.
+    renamed : tuple of (str, str)
+        The first and the present label of each marker that was renamed.
+    bad : tuple of Gap
+        Where the recording before holds what nobody shall believe: samples that are set aside,
+        or that belong to another marker.
     """
 
     aside: tuple[AsideRow, ...] = ()
@@ -97,9 +106,15 @@ class PutRight:
     moved_markers: int = 0
     found_as: tuple[tuple[str, int], ...] = ()
     smoothed: tuple[SmoothRow, ...] = ()
+    renamed: tuple[tuple[str, str], ...] = ()
+    bad: tuple[Gap, ...] = ()
 
     def __bool__(self) -> bool:
         return bool(self.aside or self.moved_runs or self.smoothed)
+
+    def wrong_in(self, before: Recording) -> BoolArray:
+        """Say which samples of the recording before were there but wrong, (frames, markers)."""
+        return marked(self.bad, before) & before.present
 
     @property
     def smoothed_markers(self) -> int:
@@ -108,6 +123,14 @@ class PutRight:
 
 
 NOTHING_PUT_RIGHT = PutRight()
+
+
+def marked(runs: Iterable[Gap], recording: Recording) -> BoolArray:
+    """Mark the samples of runs of a recording, shape (frames, markers)."""
+    mask = np.zeros(recording.present.shape, np.bool_, order="F")
+    for run in runs:
+        mask[run.start : run.stop, run.marker] = True
+    return mask
 
 
 class _Reasoned(Protocol):
@@ -120,6 +143,9 @@ def put_right(
     moves: Sequence[Move],
     smoothed: Iterable[SmoothRow],
     found_as: Mapping[str, int] | None = None,
+    *,
+    moved_before: Iterable[Move] = (),
+    renamed: Iterable[Renamed] = (),
 ) -> PutRight:
     """Gather what was put right.
 
@@ -133,6 +159,10 @@ def put_right(
         What is smoothed.
     found_as : mapping of str to int, optional
         See `PutRight`.
+    moved_before : iterable of Move
+        Which of that the recording before has had already.
+    renamed : iterable of Renamed
+        What is called otherwise.
     """
     of_problem: dict[str, list[Gap]] = {}
     for run, entry in set_aside.items():
@@ -148,4 +178,6 @@ def put_right(
         moved_markers=len({move.marker for move in moves}),
         found_as=tuple((found_as or {}).items()),
         smoothed=tuple(sorted(smoothed, key=lambda row: row.run)),
+        renamed=tuple((entry.former, entry.marker) for entry in renamed),
+        bad=tuple(merged_runs([*set_aside, *(move.run for move in {*moves} ^ {*moved_before})])),
     )

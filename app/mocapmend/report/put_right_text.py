@@ -8,7 +8,7 @@ from mocapmend.doubts import BY_HAND
 from mocapmend.report.model import Report
 from mocapmend.report.put_right import AsideRow, PutRight, SmoothRow
 from mocapmend.report.sources import SMOOTHING
-from mocapmend.wording import count
+from mocapmend.wording import count, was
 
 MOST_NAMED = 6
 
@@ -21,7 +21,7 @@ def set_aside(done: PutRight) -> str:
     runs = sum(row.runs for row in done.aside)
     listed = "; ".join(map(_aside, done.aside))
     return (
-        f"{count(samples, 'measured sample')} in {count(runs, 'run')} {_was(samples)} set aside as "
+        f"{count(samples, 'measured sample')} in {count(runs, 'run')} {was(samples)} set aside as "
         f"bad and treated as missing: {listed}."
     )
 
@@ -38,10 +38,20 @@ def exchanged(done: PutRight) -> str:
     found = ", ".join(f"{count(number, 'case')} of “{kind}”" for kind, number in done.found_as)
     return (
         f"{count(done.moved_samples, 'sample')} of {count(done.moved_markers, 'marker')} "
-        f"{_was(done.moved_samples)} exchanged between markers, in {count(done.moved_runs, 'run')}"
+        f"{was(done.moved_samples)} exchanged between markers, in {count(done.moved_runs, 'run')}"
         + (f" (found now: {found})" if found else "")
         + "."
     )
+
+
+def renamed(done: PutRight) -> str:
+    """Say which markers were renamed."""
+    if not done.renamed:
+        return ""
+    number = len(done.renamed)
+    pairs = ", ".join(f"{former} to {now}" for former, now in done.renamed[:MOST_NAMED])
+    more = f" and {number - MOST_NAMED} more" if number > MOST_NAMED else ""
+    return f"{count(number, 'marker')} {was(number)} renamed: {pairs}{more}."
 
 
 def smoothed(report: Report, done: PutRight, references: list[str]) -> str:
@@ -71,7 +81,7 @@ def _group(report: Report, rows: Sequence[SmoothRow], references: list[str]) -> 
     if any(row.run.marker in gaps for row in rows):
         where += ", except for stretches of too few samples between gaps,"
     choice = source.choice if source is not None and first.automatic else ""
-    who = f"{count(len(markers), 'marker')}{named} {_was(len(markers))}"
+    who = f"{count(len(markers), 'marker')}{named} {was(len(markers))}"
     sentences = (
         f"{who} smoothed {where} by {phrase}.",
         _cutoffs(rows, choice),
@@ -104,7 +114,3 @@ def _moved(rows: Sequence[SmoothRow]) -> str:
         f"It moved samples by {median(known):.2g} mm (root mean square, median of the "
         f"trajectories), by {max(known):.2g} mm at most."
     )
-
-
-def _was(number: int) -> str:
-    return "was" if number == 1 else "were"

@@ -6,6 +6,7 @@ import numpy as np
 
 from mocapmend.names import short_names
 from mocapmend.report.model import MarkerRow, OpenGap, RepairRow, Report
+from mocapmend.report.put_right import NOTHING_PUT_RIGHT, PutRight, marked
 from mocapmend_algorithms import Progress, Recording, find_gaps
 from mocapmend_algorithms.arrays import BoolArray, IntArray
 from mocapmend_algorithms.fill.contract import Unfilled
@@ -31,6 +32,7 @@ def summarise(
     repairs: Sequence[RepairRow],
     unfilled: Sequence[Unfilled],
     progress: Progress,
+    done: PutRight = NOTHING_PUT_RIGHT,
 ) -> Report:
     """Compare a recording with its repaired form.
 
@@ -46,26 +48,31 @@ def summarise(
         Why gaps were left open. Gaps that are open and not among them are listed too.
     progress : Progress
         Called often.
+    done : PutRight
+        What was put right besides. A bad sample was not tracked before, and a sample that was
+        smoothed and nothing else is no repaired one.
 
     Returns
     -------
     Report
     """
     counted = np.logical_or.reduce(before.present | after.present, axis=0)
+    wrong = done.wrong_in(before)
     touched = _changed_samples(before, after)
     progress(0.2)
     bones = np.array(skeleton.bones, dtype=np.int64).reshape(-1, 2)
     spread_before = bone_spread(bone_lengths(before.points, bones))
     progress(0.6)
     # A repaired end says nothing about a bone whose other end is missing.
-    seen = _either(touched, bones) & ~_either(~after.present, bones)
+    mended = touched & ~_merely_smoothed(before, repairs, done)
+    seen = _either(mended, bones) & ~_either(~after.present, bones)
     repaired = np.count_nonzero(seen, axis=0)
     moved = np.flatnonzero(np.logical_or.reduce(_either(touched, bones), axis=0))
     spread_after = spread_before.copy()
     spread_after[moved] = bone_spread(bone_lengths(after.points, bones[moved]))
     shown = np.argsort(-repaired, kind="stable")[: min(MOST_CURVES, np.count_nonzero(repaired))]
     names = short_names(before.labels)
-    was_there, is_there = tracked(before), tracked(after)
+    was_tracked, is_tracked = tracked(before, bad=wrong), tracked(after)
     segments = _counted_segments(skeleton, counted)
     progress(0.9)
     report = Report(
@@ -73,12 +80,12 @@ def summarise(
         first_frame=before.first_frame,
         frames=before.frames,
         unit=before.unit,
-        success_before=success_curves(was_there, counted=counted),
-        success_after=success_curves(is_there, counted=counted),
+        success_before=success_curves(was_tracked, counted=counted),
+        success_after=success_curves(is_tracked, counted=counted),
         segments=len(segments),
         segment_success=(
-            success_curves(was_there, counted=counted, segments=segments),
-            success_curves(is_there, counted=counted, segments=segments),
+            success_curves(was_tracked, counted=counted, segments=segments),
+            success_curves(is_tracked, counted=counted, segments=segments),
         )
         if segments
         else None,
@@ -95,11 +102,23 @@ def summarise(
         labels=before.labels,
         repairs=tuple(repairs),
         open_gaps=_open_gaps(after, unfilled),
-        missing_before=int(np.count_nonzero(~was_there)),
-        altered=int(np.count_nonzero(touched & was_there)),
+        missing_before=int(np.count_nonzero(~before.present)),
+        wrong_before=int(np.count_nonzero(wrong)),
+        altered=int(np.count_nonzero(touched & before.present)),
     )
     progress(1.0)
     return report
+
+
+def _merely_smoothed(
+    before: Recording, repairs: Sequence[RepairRow], done: PutRight
+) -> BoolArray | np.bool_:
+    """Say which samples were measured, right, and only smoothed, shape (frames, markers)."""
+    if not done.smoothed:
+        return np.False_
+    smoothed = marked((row.run for row in done.smoothed), before)
+    others = marked([*(row.gap for row in repairs), *done.bad], before)
+    return smoothed & before.present & ~others
 
 
 def _chunks(frames: int) -> Iterator[slice]:

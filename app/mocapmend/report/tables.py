@@ -10,7 +10,7 @@ from mocapmend.report.put_right import PutRight
 from mocapmend_algorithms import Gap
 
 MOST_ROWS = 1000
-Align = Literal["name", "number", "text"]
+Align = Literal["name", "number", "text", "word"]
 
 
 @dataclass(frozen=True)
@@ -176,6 +176,16 @@ def set_aside(done: PutRight) -> Table:
     return Table(
         (Column("Problem", "name"), Column("Runs"), Column("Samples")),
         tuple((row.problem, str(row.runs), str(row.samples)) for row in done.aside),
+    )
+
+
+def names(done: PutRight) -> Table:
+    """List the markers that were renamed."""
+    shown = done.renamed[:MOST_ROWS]
+    return Table(
+        (Column("Was called", "name"), Column("Is called", "name")),
+        shown,
+        _cut(len(done.renamed), len(shown), "first", "The repair record has all."),
     )
 
 

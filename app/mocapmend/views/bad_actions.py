@@ -12,8 +12,10 @@ from mocapmend.commands import EditSamples
 from mocapmend.correcting import Step, step
 from mocapmend.document import Document
 from mocapmend.doubts import BY_HAND, Doubt, overlapping
-from mocapmend.fixing import find, is_fixable, remedies
+from mocapmend.fixing import exchanged_kinds, find, is_fixable, remedies
 from mocapmend.jobs import Job, Jobs
+from mocapmend.label_review import Decision
+from mocapmend.unsure_labels import UNSURE
 from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.filling import Filling
 from mocapmend.views.queue_pane import QueuePane
@@ -74,7 +76,9 @@ class BadActions(QObject):
         run = self._current()
         if run is None:
             return
-        if not self._is_open(run):
+        if run.kind == UNSURE:
+            self._decide(run, Decision.ACCEPTED)
+        elif not self._search.suspects.is_open(run):
             self.message.emit(self.tr("This problem is fixed already; undo takes it back."))
         elif not is_fixable(run):
             self.message.emit(
@@ -87,7 +91,9 @@ class BadActions(QObject):
     def fix_kind(self) -> None:
         """Put all problems right that are of the kind of the current one, in one step."""
         run = self._current()
-        if run is not None:
+        if run is not None and run.kind == UNSURE:
+            self.message.emit(self.tr("Unsure labels are accepted one by one."))
+        elif run is not None:
             same = [other for other in self._search.suspects.fixable if other.kind == run.kind]
             self._fix(same, f"fix {len(same)} problems ({run.kind})")
             self._queue.begin_again()
@@ -103,7 +109,10 @@ class BadActions(QObject):
         run = self._current()
         if run is None:
             return
-        if not self._is_open(run):
+        if run.kind == UNSURE:
+            self._decide(run, Decision.REJECTED)
+            return
+        if not self._search.suspects.is_open(run):
             self.message.emit(self.tr("This problem is fixed already; undo takes it back."))
             return
         self._search.dismiss(run)
@@ -155,7 +164,8 @@ class BadActions(QObject):
         runs = [run for run in found if not self._search.suspects.is_dismissed(run)]
         if runs:
             exchanges, aside = remedies(runs)
-            made = step(self._document, exchanges=exchanges, set_aside=aside)
+            kinds = exchanged_kinds(runs)
+            made = step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds)
             text = f"fix {len(runs)} problems"
             self._do(EditSamples(self._document, made.edits, text, made.correction))
         then()
@@ -233,6 +243,17 @@ class BadActions(QObject):
             return None
         return Exchange(pair[0], pair[1], start, stop)
 
+    # --- proposed labels ---------------------------------------------------------------------
+
+    def _decide(self, run: BadRun, decision: Decision) -> None:
+        """Take note of what the user says about a label, and go to the next problem."""
+        self._search.decide(run, decision)
+        self._queue.step(1)
+        if not self._search.suspects.labels.left:
+            self.message.emit(
+                self.tr("All unsure labels are looked at: apply them in the pane of labels.")
+            )
+
     # --- how ---------------------------------------------------------------------------------
 
     def _fix(self, runs: Sequence[BadRun], text: str) -> None:
@@ -243,7 +264,8 @@ class BadActions(QObject):
             self.message.emit(told)
             return
         exchanges, aside = remedies(runs)
-        self._make(step(self._document, exchanges=exchanges, set_aside=aside), text)
+        kinds = exchanged_kinds(runs)
+        self._make(step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds), text)
         told = self.tr("Problems fixed: {0}. Samples set aside are gaps now, to be filled.")
         if not aside:
             told = self.tr("Problems fixed: {0}.")
@@ -258,10 +280,6 @@ class BadActions(QObject):
             self.message.emit(self.tr("There is no bad sample here: choose a problem first (N)."))
         return self._view.suspect
 
-    def _is_open(self, run: BadRun) -> bool:
-        suspects = self._search.suspects
-        return run in suspects.found or run in suspects.dismissed
-
     def _span(self) -> tuple[int, int]:
         frame = self._view.frame
         return self._view.span or (frame, frame + 1)
@@ -269,7 +287,7 @@ class BadActions(QObject):
     def _keep_up(self) -> None:
         """Leave a problem that is none any more, or is another."""
         run = self._view.suspect
-        if run is not None and not self._is_open(run) and run not in self._search.suspects.fixed():
+        if run is not None and self._search.suspects.status(run) is None:
             self._view.set_suspect(None)
 
     def _tell_found(self, count: int) -> None:

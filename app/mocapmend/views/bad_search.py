@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend.document import Document
 from mocapmend.jobs import Job, Jobs
+from mocapmend.label_review import Decision, LabelReview
 from mocapmend.suspects import Suspects
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.problems import BadRun, detect
@@ -19,6 +20,8 @@ class BadSearch(QObject):
     -------
     changed :
         Others are known, or something was decided about them.
+    decided :
+        Something was said about a proposed label.
     done : int
         The search that the user has asked for has found so many.
     failed : Exception
@@ -26,6 +29,7 @@ class BadSearch(QObject):
     """
 
     changed = Signal()
+    decided = Signal()
     done = Signal(int)
     failed = Signal(object)
 
@@ -78,6 +82,16 @@ class BadSearch(QObject):
         else:
             self.suspects.dismiss(run)
         self.changed.emit()
+
+    def show_labels(self, review: LabelReview | None) -> None:
+        """List the proposed labels of a review, or none."""
+        self.suspects.labels.take(review)
+        self.changed.emit()
+
+    def decide(self, run: BadRun, decision: Decision) -> None:
+        """Take note of what the user says about a proposed label."""
+        self.suspects.labels.decide(run, decision)
+        self.decided.emit()
 
     def _abandon(self) -> None:
         self._timer.stop()

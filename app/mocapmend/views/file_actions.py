@@ -307,7 +307,7 @@ class FileActions(QObject):
         workspace = self._window.documents.of(document)
         # Edits made while the file was written are not in it.
         if workspace is not None:
-            workspace.saved_as(exported, complete=document.undo_stack.index() == index)
+            workspace.proofs.take(exported, complete=document.undo_stack.index() == index)
             if then is None and same_file(path, document.source.path):
                 self.open(path, instead_of=workspace)
         text = self.tr("Exported {0} to {1}: {2} repaired samples, read back and compared.")

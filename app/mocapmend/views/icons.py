@@ -4,7 +4,7 @@ from functools import cache
 from importlib.resources import files
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPixmap
+from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 
 from mocapmend.theme import Theme
@@ -35,9 +35,8 @@ def icon(name: str, theme: Theme, scale: float = 1.0) -> QIcon:
     }
     result = QIcon()
     for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Disabled, theme.bone)):
-        svg = _source(name).replace(_INK, colour.encode())
         for side in sides:
-            result.addPixmap(_pixmap(svg, side), mode)
+            result.addPixmap(_picture(name, colour, side), mode)
     return result
 
 
@@ -52,6 +51,16 @@ def program_icon() -> QIcon:
 @cache
 def _source(name: str) -> bytes:
     return (files("mocapmend_resources") / "icons" / f"{name}.svg").read_bytes()
+
+
+def _picture(name: str, colour: str, size: int) -> QPixmap:
+    # The titles of ten panes have the same two pictures, drawn anew whenever they are arranged.
+    key = f"{name} {colour} {size}"
+    picture = QPixmap()
+    if not QPixmapCache.find(key, picture):
+        picture = _pixmap(_source(name).replace(_INK, colour.encode()), size)
+        QPixmapCache.insert(key, picture)
+    return picture
 
 
 def _pixmap(svg: bytes, size: int) -> QPixmap:

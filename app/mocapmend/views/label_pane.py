@@ -22,11 +22,13 @@ from mocapmend.document import Document
 from mocapmend.label_review import Decision
 from mocapmend.relabelling import doubts
 from mocapmend.theme import Theme
+from mocapmend.unsure_labels import UnsureLabels
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.filling import Filling
 from mocapmend.views.label_search import LabelSearch
 from mocapmend.views.label_table import LabelTable
 from mocapmend.viewstate import ViewState
+from mocapmend_algorithms.problems import BadRun
 
 NOBODY = -1
 """Stands in the list of labels for a piece that is no marker."""
@@ -37,6 +39,8 @@ class LabelPane(QWidget):
 
     Parameters
     ----------
+    unsure : UnsureLabels
+        Which of them are in the queue too.
     do : callable
         Does an undo command.
 
@@ -53,6 +57,7 @@ class LabelPane(QWidget):
         document: Document,
         view: ViewState,
         search: LabelSearch,
+        unsure: UnsureLabels,
         filling: Filling,
         do: Callable[[EditSamples], None],
         theme: Theme,
@@ -63,6 +68,7 @@ class LabelPane(QWidget):
         self._document = document
         self._view = view
         self._search = search
+        self._unsure = unsure
         self._filling = filling
         self._do = do
         self._applied = False
@@ -74,7 +80,9 @@ class LabelPane(QWidget):
         self._make_controls()
         self._arrange(actions)
         view.frame_changed.connect(self._propose)
+        view.suspect_changed.connect(self._mark)
         search.changed.connect(self._show)
+        search.decided.connect(self._follow)
         search.started.connect(self._show_state)
         search.ended.connect(self._show_state)
         document.names_changed.connect(self.table.labels.refresh)
@@ -120,7 +128,7 @@ class LabelPane(QWidget):
         if review is None or row is None or not self._search.up_to_date:
             return
         review.decide(row, decision)
-        self._follow()
+        self._search.decided.emit()
         if row + 1 < len(review):
             self.table.selectRow(row + 1)
 
@@ -131,12 +139,12 @@ class LabelPane(QWidget):
         if review is None or row is None or label is None or not self._search.up_to_date:
             return
         review.choose(row, None if label == NOBODY else label)
-        self._follow()
+        self._search.decided.emit()
         self.table.setFocus()
 
     def _set_least(self, percent: int) -> None:
         self._search.set_least(percent / 100.0)
-        self._follow()
+        self._search.decided.emit()
 
     # --- parts -------------------------------------------------------------------------------
 
@@ -299,7 +307,16 @@ class LabelPane(QWidget):
         self._view.select((piece.point,))
         self._view.set_frame((piece.start + piece.stop - 1) // 2)
         self._view.frame_span(piece.start, piece.stop)
+        run = self._unsure.run(index.row())
+        if run is not None:
+            self._view.set_suspect(run)
         self._offer()
+
+    def _mark(self, run: BadRun | None) -> None:
+        """Mark the row of what is the current problem of the queue."""
+        row = self._unsure.row(run)
+        if row is not None and row != self._row():
+            self.table.selectRow(row)
 
     def _row(self) -> int | None:
         row = self.table.currentIndex().row()

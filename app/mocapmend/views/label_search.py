@@ -31,6 +31,8 @@ class LabelSearch(QObject):
     changed :
         There is another review, or none; or the recording is another one than it is for, or the
         same again.
+    decided :
+        Something was said about a proposal.
     message : str
         Something the user should read in passing.
     failed : Exception
@@ -40,6 +42,7 @@ class LabelSearch(QObject):
     started = Signal()
     ended = Signal()
     changed = Signal()
+    decided = Signal()
     message = Signal(str)
     failed = Signal(object)
 

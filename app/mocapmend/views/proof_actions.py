@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
 
-from mocapmend import engine, replaying, unsaved
+from mocapmend import engine, recipe_plan, replaying, unsaved
 from mocapmend.believed import Correction
+from mocapmend.beneath import beneath, share_beneath
 from mocapmend.commands import EditSamples
 from mocapmend.correcting import towards
 from mocapmend.document import Document
@@ -80,7 +81,7 @@ class ProofActions(QObject):
         title = self.tr("Replaying {0}").format(path.name)
         source, begun = workspace.document.source, workspace.document.revision
 
-        def compute(prepared: tuple[replaying.Plan, bool]) -> None:
+        def compute(prepared: tuple[recipe_plan.Planned, bool]) -> None:
             if not self._is_as_it_was(workspace, begun):
                 return
             corrected = self._correct(workspace, path, prepared[0])
@@ -94,7 +95,7 @@ class ProofActions(QObject):
             )
             job.failed.connect(self._window.show_error)
 
-        job = self._window.jobs.read_or_write(title, replaying.prepare, source, path)
+        job = self._window.jobs.read_or_write(title, recipe_plan.prepare, source, path)
         job.finished.connect(compute)
         job.failed.connect(self._window.show_error)
 
@@ -148,7 +149,7 @@ class ProofActions(QObject):
         workspace = self._window.workspace
         if workspace is None:
             return
-        likely, last = self._window.files.folder(), workspace.last_export
+        likely, last = self._window.files.folder(), workspace.proofs.last_export
         likely /= self._window.files.export_name()
         if last is not None and patches(workspace.document.source, last):
             likely = last
@@ -190,7 +191,7 @@ class ProofActions(QObject):
         workspace: "Workspace",
         revision: int,
         path: Path,
-        prepared: tuple[replaying.Plan, bool],
+        prepared: tuple[recipe_plan.Planned, bool],
         results: list[FillResult],
         corrected: int,
     ) -> None:
@@ -228,7 +229,7 @@ class ProofActions(QObject):
         return True
 
     @staticmethod
-    def _correct(workspace: "Workspace", path: Path, planned: replaying.Plan) -> int:
+    def _correct(workspace: "Workspace", path: Path, planned: recipe_plan.Planned) -> int:
         """Make the corrections of a recipe; return how many there were.
 
         A recipe without any leaves those that the user has made.
@@ -252,7 +253,7 @@ class ProofActions(QObject):
         self,
         workspace: "Workspace",
         path: Path,
-        jobs: tuple[replaying.SmoothJob, ...],
+        jobs: tuple[recipe_plan.SmoothJob, ...],
         told: str,
     ) -> None:
         """Smooth what a recipe smooths, now that its other edits are made."""
@@ -262,14 +263,16 @@ class ProofActions(QObject):
             if not self._is_as_it_was(workspace, revision):
                 return
             edits = [
-                edit for result in results for edit in Edit.smoothings(result, document.beneath)
+                edit
+                for result in results
+                for edit in Edit.smoothings(result, partial(beneath, document))
             ]
             workspace.push(edits, f"replay the smoothing of {path.name}")
             text = self.tr("{0} Stretches smoothed again: {1}.")
             self._window.say(text.format(told, len(edits)))
 
         title = self.tr("Replaying {0}").format(path.name)
-        shared = document.share_beneath()
+        shared = share_beneath(document)
         job = self._window.jobs.compute(title, replaying.smooth, shared, jobs)
         job.finished.connect(accept)
         job.failed.connect(self._window.show_error)

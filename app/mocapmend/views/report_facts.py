@@ -1,7 +1,10 @@
 """What a report needs to know beside the samples, gathered from the open document."""
 
+from collections import Counter
+
 import numpy as np
 
+from mocapmend.changes import renames
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document
 from mocapmend.report import About, EditRow, PutRight, SmoothRow, method_text, put_right
@@ -55,7 +58,20 @@ class ReportFacts:
             SmoothRow.of(run, made.method, made.params, made.chosen, made.rms * mm)
             for run, made in document.smoothed.items()
         )
-        return put_right(document.doubts, document.layers.moves, smoothed)
+        return put_right(
+            document.doubts,
+            document.layers.moves,
+            smoothed,
+            self._found_as(),
+            moved_before=document.source.moves,
+            renamed=renames(document.source, document.labels),
+        )
+
+    def _found_as(self) -> Counter[str]:
+        """Count the problems that were exchanged since the file was opened, by their detectors."""
+        stack = self._document.undo_stack
+        corrections = (self._command(i).correction for i in range(stack.index()))
+        return Counter(kind for made in corrections if made for kind in made.found_as)
 
     def edits(self) -> tuple[EditRow, ...]:
         """Return the steps that hold, those that were undone left out."""
@@ -68,8 +84,7 @@ class ReportFacts:
         return tuple(self._edit(i) for i in range(stack.index(), stack.count()))
 
     def _edit(self, index: int) -> EditRow:
-        command = self._document.undo_stack.command(index)
-        assert isinstance(command, EditSamples)
+        command = self._command(index)
         corrected = () if command.correction is None else command.correction.runs
         runs = {*(edit.gap for edit in command.edits), *corrected}
         # What is smoothed keeps its fills. All at once: of ten thousand one by one would be felt.
@@ -82,3 +97,8 @@ class ReportFacts:
             filled=int(np.count_nonzero(states == SampleState.FILLED)),
             cleared=command.cleared,
         )
+
+    def _command(self, index: int) -> EditSamples:
+        command = self._document.undo_stack.command(index)
+        assert isinstance(command, EditSamples)
+        return command

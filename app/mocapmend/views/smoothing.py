@@ -4,12 +4,14 @@ Names of edits are English, for reports and journals; they are translated where 
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from mocapmend import engine
+from mocapmend.beneath import beneath, share_beneath, without_smoothing
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document
 from mocapmend.edits import Edit
@@ -127,7 +129,7 @@ class Smoothing(QObject):
         job = self._jobs.compute(
             self.tr("Preview"),
             look_ahead,
-            self._document.share_beneath(),
+            share_beneath(self._document),
             asked.runs,
             asked.way,
             asked.shown,
@@ -187,7 +189,7 @@ class Smoothing(QObject):
         job = self._jobs.compute(
             self.tr("Smoothing {0} markers").format(len(runs)),
             engine.smooth,
-            self._document.share_beneath(),
+            share_beneath(self._document),
             list(runs),
             *way,
         )
@@ -201,7 +203,7 @@ class Smoothing(QObject):
     def take_off(self, runs: Sequence[Gap]) -> None:
         """Take off all smoothing that overlaps some runs, in one undoable step."""
         document = self._document
-        edits = document.without_smoothing((), runs)
+        edits = without_smoothing(document, (), runs)
         if edits:
             text = f"take smoothing off {self._what(edits)}"
             self._do(EditSamples(document, edits, text))
@@ -218,7 +220,7 @@ class Smoothing(QObject):
         if document.revision != revision:
             self.message.emit(self.tr("The recording was edited meanwhile: smooth again."))
             return
-        edits = Edit.smoothings(result, document.beneath)
+        edits = Edit.smoothings(result, partial(beneath, document))
         if not edits:
             self.message.emit(self.tr("Nothing was smoothed: the stretches are too short."))
             return

@@ -9,7 +9,9 @@ from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QVBoxLayout
 
 from mocapmend.document import Document
 from mocapmend.fixing import is_fixable
+from mocapmend.ranking import Status
 from mocapmend.suspects import Suspects, place_of
+from mocapmend.unsure_labels import UNSURE
 from mocapmend.views.action_button import ActionButton
 from mocapmend.views.engine_texts import method_name
 from mocapmend.views.suspect_texts import (
@@ -75,26 +77,48 @@ class SuspectBox(QGroupBox):
         if run is None:
             return
         self._title.setText(f"{title_text(run, self._document.names)}\n{self._frames_text(run)}")
-        fixed = run in self._suspects.fixed()
-        dismissed = self._suspects.is_dismissed(run)
+        status = self._suspects.status(run)
         lines = [
             ", ".join(filter(None, (score_text(run), deviation_text(run, self._document.original))))
         ]
         if run.reason:
             lines.append(escape(reason_text(run)))
-        lines += [self._outlook(run, fixed=fixed, dismissed=dismissed), self._fill_text()]
+        label = run.kind == UNSURE
+        outlook = self._label_text(run, status) if label else self._outlook(run, status)
+        lines += [outlook, self._fill_text()]
         self._about.setText("<br>".join(filter(None, lines)))
-        self.fix.set_possible(possible=not fixed and is_fixable(run))
-        self.dismiss.set_possible(possible=not fixed)
-        self.dismiss.setText(self.tr("A problem after all") if dismissed else self.tr("No problem"))
-        self._fix_kind.set_possible(possible=not fixed)
+        fixed = status is Status.FIXED
+        self.fix.setText(self.tr("Accept") if label else self.tr("Fix"))
+        self.fix.set_possible(possible=label or (not fixed and is_fixable(run)))
+        self.dismiss.setText(self._dismiss_text(run, status))
+        self.dismiss.set_possible(possible=label or not fixed)
+        self._fix_kind.set_possible(possible=not (label or fixed))
         self._believe.setVisible(place_of(run) in self._document.doubts)
 
-    def _outlook(self, run: BadRun, *, fixed: bool, dismissed: bool) -> str:
+    def _dismiss_text(self, run: BadRun, status: Status | None) -> str:
+        if run.kind == UNSURE:
+            return self.tr("Reject")
+        if status is Status.DISMISSED:
+            return self.tr("A problem after all")
+        return self.tr("No problem")
+
+    def _label_text(self, run: BadRun, status: Status | None) -> str:
+        """Say what a piece would be called, and what the user has decided."""
+        label = self._suspects.labels.label(run)
+        if status is Status.DISMISSED:
+            return self.tr("<b>Rejected:</b> it stays as it is.")
+        if label is None:
+            return self.tr("<b>Accepting</b> says that it is no marker.")
+        text = self.tr("<b>Accepting</b> gives it the label {0} when the labels are applied.")
+        if status is Status.FIXED:
+            text = self.tr("<b>Accepted:</b> it gets the label {0} when the labels are applied.")
+        return text.format(escape(label))
+
+    def _outlook(self, run: BadRun, status: Status | None) -> str:
         """Say what has become of a run, or what fixing it would do."""
-        if fixed:
+        if status is Status.FIXED:
             return self.tr("<b>Fixed.</b>")
-        if dismissed:
+        if status is Status.DISMISSED:
             return self.tr("<b>You hold it for no problem.</b>")
         if not is_fixable(run):
             return self.tr("It fits no marker: exchange it by hand, or say it is no problem.")

@@ -9,6 +9,7 @@ from mocapmend.doubts import BY_HAND
 from mocapmend.problem_list import GAP
 from mocapmend.suspects import LABELS
 from mocapmend.translate import QT_TRANSLATE_NOOP
+from mocapmend.unsure_labels import UNSURE
 from mocapmend.views.engine_texts import detector_name, detector_text, shown
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.problems import BadRun
@@ -28,6 +29,7 @@ _KINDS = {
     "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Bone"),
     "far": QT_TRANSLATE_NOOP("Suspects", "Far"),
     "reflections": QT_TRANSLATE_NOOP("Suspects", "Double"),
+    UNSURE: QT_TRANSLATE_NOOP("Suspects", "Label?"),
     LABELS: QT_TRANSLATE_NOOP("Suspects", "Label"),
     BY_HAND: QT_TRANSLATE_NOOP("Suspects", "By hand"),
 }
@@ -43,6 +45,7 @@ _NAMES = {
     "bone-breaks": QT_TRANSLATE_NOOP("Suspects", "Broken bone"),
     "far": QT_TRANSLATE_NOOP("Suspects", "Far from the body"),
     "reflections": QT_TRANSLATE_NOOP("Suspects", "Coinciding points"),
+    UNSURE: QT_TRANSLATE_NOOP("Suspects", "Unsure label"),
     LABELS: QT_TRANSLATE_NOOP("Suspects", "Of no label"),
     BY_HAND: QT_TRANSLATE_NOOP("Suspects", "Set aside by hand"),
 }
@@ -57,11 +60,19 @@ def kind_text(kind: str) -> str:
 
 def kinds_text(kind: str) -> str:
     """Return what the bad runs of a kind are called together, in whole words."""
+    if kind == UNSURE:
+        return translate("Suspects", "Labels to review")
     return detector_name(kind) if kind in DETECTORS else kind_text(kind)
 
 
 def help_text(kind: str) -> str:
     """Return what the bad runs of a kind are; empty where there is no more to say."""
+    if kind == UNSURE:
+        return translate(
+            "Suspects",
+            "Proposed labels that are too unsure to be given: accept or reject each. Error: how "
+            "unsure they are, times the distance to the nearest other point.",
+        )
     return detector_text(DETECTORS[kind].help) if kind in DETECTORS else ""
 
 
@@ -87,8 +98,8 @@ def title_text(run: BadRun, names: Sequence[str]) -> str:
 
 
 def deviation_text(run: BadRun, recording: Recording) -> str:
-    """Return how far a run is off."""
-    if math.isnan(run.deviation):
+    """Return how far a run is off; empty where nobody knows, and for labels."""
+    if run.kind == UNSURE or math.isnan(run.deviation):
         return ""
     off = f"{run.deviation * recording.mm:.1f}"
     return translate("Suspects", "{0} mm off").format(off)

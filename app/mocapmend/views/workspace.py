@@ -5,24 +5,24 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QSplitter
 
-from mocapmend import engine
 from mocapmend.commands import EditSamples
-from mocapmend.document import NO_SKELETON, Document
+from mocapmend.document import Document
 from mocapmend.edits import Edit
 from mocapmend.files import C3DFile
-from mocapmend.jobs import Job, Jobs
+from mocapmend.jobs import Jobs
 from mocapmend.journal import Recorder
 from mocapmend.prospects import Prospects
 from mocapmend.settings import RANKING, SEARCHING, TRAIL_SECONDS, Settings
 from mocapmend.theme import Theme
 from mocapmend.views.analog_pane import AnalogPane
+from mocapmend.views.arrangement import arrange, size_panes
 from mocapmend.views.bad_actions import BadActions
 from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.beginning import Beginning
+from mocapmend.views.bone_search import BoneSearch
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
@@ -39,6 +39,7 @@ from mocapmend.views.plan_pane import PlanPane
 from mocapmend.views.player import Player
 from mocapmend.views.plot_pane import PlotPane
 from mocapmend.views.previewer import Previewer
+from mocapmend.views.proofs import Proofs
 from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.reason_dialog import ReasonDialog
 from mocapmend.views.renaming_actions import RenamingActions
@@ -51,22 +52,12 @@ from mocapmend.views.smooth_pane import SmoothPane
 from mocapmend.views.smoothing import Smoothing
 from mocapmend.views.survey import Survey
 from mocapmend.views.taken_off import TakenOff
-from mocapmend.views.text_scale import scaled
 from mocapmend.views.time_actions import TimeActions
-from mocapmend.views.timeline import GOOD_LANE, LANE, Timeline
+from mocapmend.views.timeline import Timeline
 from mocapmend.viewstate import ViewState
 from mocapmend_algorithms import Gap
 
-TAB_HEIGHT = 36
-MARKERS_WIDTH, REPAIR_WIDTH = (352, 470), (280, 400)
-"""Of the panes at the sides, from where they can be read to where all of it can."""
-GOOD_BOTTOM = 0.22
-"""Share of the window's height that the timeline takes where its lanes are still low."""
-SIDE, MOST_SIDE = 0.2, 0.3
-"""Shares of the window that they take, and that they take at most when texts are large."""
 BEGIN_MS = 50
-BONES_MS = 300
-"""After other names came: bones are looked for once, also where several steps are undone."""
 JOURNAL_MS = 50
 """How often it is looked whether a large step has reached the journal."""
 MANY_RUNS = 500
@@ -115,6 +106,7 @@ class Workspace(PanedWindow):
         document.names_changed.connect(self.prospects.clear)
         self.survey = Survey(document, self.prospects, jobs, self)
         self.search = BadSearch(document, jobs, self)
+        self.bones = BoneSearch(document, jobs, self)
         self.previewer = Previewer(document, self.view, self.prospects, jobs, self)
         self.filling = Filling(document, self.prospects, self.survey, jobs, self.do, self)
         self.smoothing = Smoothing(document, self.view, jobs, self.do, self)
@@ -140,6 +132,7 @@ class Workspace(PanedWindow):
         self.plan = PlanPane(document, self.view, self.repair, self.filling, actions)
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
+        self.proofs = Proofs(document, self.facts, self.report, self)
         self._make_labels(jobs, settings, theme, actions)
         source = document.source
         self.analog: AnalogPane | None = None
@@ -159,15 +152,7 @@ class Workspace(PanedWindow):
             self.smooth,
         )
         self._refill_due = False
-        self.last_export: Path | None = None
-        self._exported: engine.Exported | None = None
-        self._searching: Job | None = None
-        self._bones_timer = QTimer(self)
-        self._bones_timer.setSingleShot(True)
-        self._bones_timer.setInterval(BONES_MS)
-        self._bones_timer.timeout.connect(self._search_skeleton)
-        document.names_changed.connect(self._forget_skeleton)
-        self._arrange()
+        arrange(self)
         self.repair.ways_changed.connect(self._preview)
         self.repair.left_open.clicked.connect(self._show_left_open)
         self.filling.started.connect(self._show_filling)
@@ -179,18 +164,18 @@ class Workspace(PanedWindow):
         document.undo_stack.indexChanged.connect(self._forget_outcome)
         document.undo_stack.indexChanged.connect(self.recorder.move)
         document.undo_stack.cleanChanged.connect(self.recorder.export)
+        # Disconnected by the time that a stack is destroyed, and tells that it is clean.
+        document.undo_stack.cleanChanged.connect(self._show_proofs)
         document.undo_stack.indexChanged.connect(self._journal_timer.start)
-        document.undo_stack.cleanChanged.connect(self._show_proof)
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
-        working = (self.previewer, self.report, self.survey, self.search, self.filling)
-        for part in (*working, self.smoothing, self.bad_actions):
+        working = (self.previewer, self.report, self.survey, self.search, self.bones)
+        for part in (*working, self.filling, self.smoothing, self.bad_actions):
             part.failed.connect(self.failed)
         self.taken_off = TakenOff(document.undo_stack, self)
         self.taken_off.message.connect(self.message)
         for teller in (self.gap_actions, self.bad_actions, self.filling, self.smoothing):
             teller.message.connect(self.taken_off.say)
-        self._show_proof()
         self._beginning = Beginning(document, self.view, self.queue, self.survey, self.search, self)
         # What goes on in the background must not hold up the first picture.
         self._paint_timer = QTimer(self)
@@ -207,8 +192,7 @@ class Workspace(PanedWindow):
         """Begin with what goes on by itself."""
         self.document.get_ready()
         self.recorder.get_ready()
-        if self.document.found_skeleton is None:
-            self._search_skeleton()
+        self.bones.start()
         if self.isVisible():
             if self._settings.get(SEARCHING):
                 self.search.start()
@@ -242,7 +226,7 @@ class Workspace(PanedWindow):
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
         self._begin_timer.stop()
-        self._bones_timer.stop()
+        self.bones.stop()
         self.label_search.stop()
         self.player.pause()
         self.previewer.stop()
@@ -255,30 +239,6 @@ class Workspace(PanedWindow):
         if self.analog is not None:
             self.analog.stop()
         self.recorder.discard()
-        if self._searching is not None:
-            self._searching.abandon()
-
-    def _forget_skeleton(self) -> None:
-        """Look for other bones: which are known depends on what the markers are called."""
-        if self.document.found_skeleton is not None and not self.document.source.bones:
-            self._bones_timer.start()
-
-    def _search_skeleton(self) -> None:
-        if self._searching is not None:
-            self._searching.abandon()
-        job = self._jobs.compute(
-            self.tr("Skeleton"),
-            engine.search_skeleton,
-            self.document.share_base(),
-            quiet=True,
-        )
-        job.finished.connect(self.document.set_skeleton)
-        job.failed.connect(self._do_without_skeleton)
-        self._searching = job
-
-    def _do_without_skeleton(self, error: Exception) -> None:
-        self.document.set_skeleton(NO_SKELETON)
-        self.failed.emit(error)
 
     @property
     def saved(self) -> bool:
@@ -329,8 +289,8 @@ class Workspace(PanedWindow):
 
     def apply(self, *, go_on: bool) -> None:
         """Make the previewed repair an edit, or fix the current problem; go on to the next."""
-        run, suspects = self.view.suspect, self.search.suspects
-        if run is not None and (run in suspects.found or run in suspects.dismissed):
+        run = self.view.suspect
+        if run is not None and self.search.suspects.is_open(run):
             self.bad_actions.fix()
         elif go_on:
             self.gap_actions.apply_and_go_on()
@@ -415,29 +375,8 @@ class Workspace(PanedWindow):
         if self.recorder.poll():
             self._journal_timer.stop()
 
-    def saved_as(self, exported: engine.Exported, *, complete: bool) -> None:
-        """Take note that a file now holds the edits: all of them, or those of a while ago."""
-        self.last_export = exported.saved.path
-        if complete:
-            self._exported = exported
-            self.document.undo_stack.setClean()
-        self._show_proof()
-
-    @property
-    def _proof(self) -> engine.Exported | None:
-        """The export that holds the recording as it is now, if there is one."""
-        return self._exported if self.document.undo_stack.isClean() else None
-
-    def _show_proof(self) -> None:
-        self.facts.proof = () if self._proof is None else self._proof.sentences
-        if self.last_export is None:
-            self.report.show_proof(self.tr("Not exported yet."))
-        elif self._proof is None:
-            edited = self.tr("Edited since {0} was exported.")
-            self.report.show_proof(edited.format(self.last_export.name))
-        else:
-            proved, name = tuple(map(shown, self._proof.sentences)), self._proof.saved.path.name
-            self.report.show_proof(f"✔ {name}: {proved[0]}", proved)
+    def _show_proofs(self) -> None:
+        self.proofs.show()
 
     def report_inputs(self) -> tuple[Any, ...]:
         """Return what `engine.write_report` needs, as it is now."""
@@ -461,12 +400,23 @@ class Workspace(PanedWindow):
         self.renaming = RenamingActions(document, view, do, self)
         self.hand_labels = HandLabelActions(document, view, self.filling, do, self)
         self.label_search = LabelSearch(document, jobs, settings, self)
-        self.labels = LabelPane(document, view, self.label_search, self.filling, do, theme, actions)
+        unsure = self.search.suspects.labels
+        self.labels = LabelPane(
+            document, view, self.label_search, unsure, self.filling, do, theme, actions
+        )
+        for told in (self.label_search.changed, self.label_search.decided):
+            told.connect(self._list_labels)
+        self.search.decided.connect(self.label_search.decided)
         self.markers.renamed.connect(self.renaming.rename)
         self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
         self.label_search.failed.connect(self.failed)
         for part in (self.renaming, self.hand_labels, self.label_search, self.labels):
             part.message.connect(self.message)
+
+    def _list_labels(self) -> None:
+        """List unsure labels in the queue while they are for the recording as it is."""
+        labels = self.label_search
+        self.search.show_labels(labels.review if labels.up_to_date else None)
 
     def rename(self) -> None:
         """Let the user type another name for the current marker."""
@@ -527,42 +477,6 @@ class Workspace(PanedWindow):
 
     # --- arrangement -------------------------------------------------------------------------
 
-    def _arrange(self) -> None:
-        areas = Qt.DockWidgetArea
-        if not self.document.repairable:
-            self.setCentralWidget(self._nothing_to_repair())
-            if self.analog is not None:
-                self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
-            return
-        middle = QSplitter(Qt.Orientation.Horizontal)
-        middle.addWidget(self.scene)
-        middle.addWidget(self.plots)
-        middle.setSizes([400, 490])
-        middle.setChildrenCollapsible(False)
-        self.setCentralWidget(middle)
-        markers = self.dock("markers", self.tr("Markers"), self.markers, areas.LeftDockWidgetArea)
-        queue = self.dock("queue", self.tr("Queue"), self.queue, areas.LeftDockWidgetArea)
-        repair = self.dock("repair", self.tr("Repair"), self.repair, areas.RightDockWidgetArea)
-        timeline = self.dock(
-            "timeline", self.tr("Timeline"), self.timeline, areas.BottomDockWidgetArea
-        )
-        repairs = self.dock("repairs", self.tr("Repairs"), self.repairs, areas.BottomDockWidgetArea)
-        plan = self.dock("plan", self.tr("Plan"), self.plan, areas.BottomDockWidgetArea)
-        report = self.dock("report", self.tr("Report"), self.report, areas.BottomDockWidgetArea)
-        history = self.dock("history", self.tr("History"), self.history, areas.BottomDockWidgetArea)
-        bottom = [timeline, plan, repairs, report, history]
-        bottom.append(
-            self.dock("labels", self.tr("Labels"), self.labels, areas.BottomDockWidgetArea)
-        )
-        if self.analog is not None:
-            bottom.append(
-                self.dock("analog", self.tr("Analog"), self.analog, areas.BottomDockWidgetArea)
-            )
-        smooth = self.dock("smooth", self.tr("Smooth"), self.smooth, areas.RightDockWidgetArea)
-        self.share_place([queue, markers])
-        self.share_place([repair, smooth])
-        self.share_place(bottom)
-
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self.document.repairable and not self.arranged:
@@ -570,41 +484,8 @@ class Workspace(PanedWindow):
             QTimer.singleShot(0, self, self._size_panes)
 
     def _size_panes(self) -> None:
-        markers, _, repair, timeline, *_ = self.panes()
-        widths = [self._width_of(*limits) for limits in (MARKERS_WIDTH, REPAIR_WIDTH)]
-        self.resizeDocks([markers, repair], widths, Qt.Orientation.Horizontal)
-        least = min(self.timeline.height_of(LANE), self.height() // 4)
-        # In a high window lanes grow, but the plots have most of what there is more.
-        good = min(self.timeline.height_of(GOOD_LANE), round(GOOD_BOTTOM * self.height()))
-        height = max(least, good) + TAB_HEIGHT
-        self.resizeDocks([timeline], [height], Qt.Orientation.Vertical)
+        size_panes(self)
         self.remember_first_layout()
-
-    def _width_of(self, least: int, most: int) -> int:
-        """Return the width of a side pane: a share of the window, within what its text needs."""
-        share = max(scaled(self, least), min(scaled(self, most), round(SIDE * self.width())))
-        return min(share, round(MOST_SIDE * self.width()))
-
-    def _nothing_to_repair(self) -> QLabel:
-        source = self.document.source
-        held = [self.tr("{0} events").format(len(source.events))] if source.events else []
-        # Without frames there are only the names of channels and outputs.
-        if source.analog_labels and self.document.original.frames:
-            held.append(self.tr("{0} analog channels").format(len(source.analog_labels)))
-        if source.model_outputs and self.document.original.frames:
-            held.append(self.tr("{0} model outputs").format(len(source.model_outputs)))
-        label = QLabel(
-            self.tr(
-                "This file has no marker samples: there is nothing to repair.\n\nIt holds {0}."
-            ).format(", ".join(held) or self.tr("nothing that can be shown"))
-        )
-        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        label.setWordWrap(True)
-        label.setMargin(16)
-        if self.analog is not None:
-            # The channels take the rest of the window.
-            label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        return label
 
 
 def _do(document: Document, recorder: Recorder, command: EditSamples) -> None:

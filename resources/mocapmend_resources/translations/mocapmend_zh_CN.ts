@@ -641,6 +641,10 @@
         <translation>此片段不属于任何标记点：请手动互换，或标为没有问题。</translation>
     </message>
     <message>
+        <source>Unsure labels are accepted one by one.</source>
+        <translation>不确定的标签要逐个接受。</translation>
+    </message>
+    <message>
         <source>No problem: it is listed under that status from now on.</source>
         <translation>没有问题：从现在起列在该状态下。</translation>
     </message>
@@ -689,6 +693,10 @@
         <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
     </message>
     <message>
+        <source>All unsure labels are looked at: apply them in the pane of labels.</source>
+        <translation>不确定的标签已全部查看：请在标签窗格中应用。</translation>
+    </message>
+    <message>
         <source>Bad samples are not known yet: look for them first (Ctrl+F).</source>
         <translation>尚不知道坏采样：请先查找 (Ctrl+F)。</translation>
     </message>
@@ -722,6 +730,13 @@
     <message>
         <source>Looking for bad samples</source>
         <translation>查找坏采样</translation>
+    </message>
+</context>
+<context>
+    <name>BoneSearch</name>
+    <message>
+        <source>Skeleton</source>
+        <translation>骨架</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2682,77 @@
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Queue</source>
+        <translation>队列</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>修复</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Repairs</source>
+        <translation>修复列表</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Analog</source>
+        <translation>模拟通道</translation>
+    </message>
+    <message>
+        <source>{0} events</source>
+        <translation>{0} 个事件</translation>
+    </message>
+    <message>
+        <source>{0} analog channels</source>
+        <translation>{0} 个模拟通道</translation>
+    </message>
+    <message>
+        <source>{0} model outputs</source>
+        <translation>{0} 个模型输出</translation>
+    </message>
+    <message>
+        <source>This file has no marker samples: there is nothing to repair.
+
+It holds {0}.</source>
+        <translation>此文件没有标记点采样：没有可修复的内容。
+
+其中有 {0}。</translation>
+    </message>
+    <message>
+        <source>nothing that can be shown</source>
+        <translation>没有可显示的内容</translation>
+    </message>
+</context>
+<context>
     <name>ParamsForm</name>
     <message>
         <source>automatic</source>
@@ -2893,6 +2979,17 @@
     <message>
         <source>{0} edits made again, by a recipe that was made for another file.</source>
         <translation>已重做 {0} 项编辑，所用的修复方案是为另一个文件制作的。</translation>
+    </message>
+</context>
+<context>
+    <name>Proofs</name>
+    <message>
+        <source>Not exported yet.</source>
+        <translation>尚未导出。</translation>
+    </message>
+    <message>
+        <source>Edited since {0} was exported.</source>
+        <translation>导出 {0} 之后又有编辑。</translation>
     </message>
 </context>
 <context>
@@ -6163,8 +6260,32 @@
         <translation>全部修正</translation>
     </message>
     <message>
+        <source>Accept</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
         <source>A problem after all</source>
         <translation>仍是问题</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Rejected:&lt;/b&gt; it stays as it is.</source>
+        <translation>&lt;b&gt;已拒绝：&lt;/b&gt;保持原样。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Accepting&lt;/b&gt; says that it is no marker.</source>
+        <translation>&lt;b&gt;接受&lt;/b&gt;即表示它不是标记点。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Accepting&lt;/b&gt; gives it the label {0} when the labels are applied.</source>
+        <translation>&lt;b&gt;接受&lt;/b&gt;后，应用标签时它将得到标签 {0}。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Accepted:&lt;/b&gt; it gets the label {0} when the labels are applied.</source>
+        <translation>&lt;b&gt;已接受：&lt;/b&gt;应用标签时它将得到标签 {0}。</translation>
     </message>
     <message>
         <source>&lt;b&gt;Fixed.&lt;/b&gt;</source>
@@ -6242,6 +6363,10 @@
         <translation>重合</translation>
     </message>
     <message>
+        <source>Label?</source>
+        <translation>标签？</translation>
+    </message>
+    <message>
         <source>Label</source>
         <translation>名称</translation>
     </message>
@@ -6278,12 +6403,24 @@
         <translation>重合点</translation>
     </message>
     <message>
+        <source>Unsure label</source>
+        <translation>不确定的标签</translation>
+    </message>
+    <message>
         <source>Of no label</source>
         <translation>不属于任何名称</translation>
     </message>
     <message>
         <source>Set aside by hand</source>
         <translation>手动搁置</translation>
+    </message>
+    <message>
+        <source>Labels to review</source>
+        <translation>待查看的标签</translation>
+    </message>
+    <message>
+        <source>Proposed labels that are too unsure to be given: accept or reject each. Error: how unsure they are, times the distance to the nearest other point.</source>
+        <translation>建议的标签因不够确定而不会自动给出：请逐个接受或拒绝。误差：不确定程度乘以到最近其他点的距离。</translation>
     </message>
     <message>
         <source>The rest is explained otherwise.</source>
@@ -6598,10 +6735,6 @@
 <context>
     <name>Workspace</name>
     <message>
-        <source>Skeleton</source>
-        <translation>骨架</translation>
-    </message>
-    <message>
         <source>This file has no analog channels.</source>
         <translation>此文件没有模拟通道。</translation>
     </message>
@@ -6630,88 +6763,12 @@
         <translation>缺失段：已填补 {0} 个，未填补 {1} 个。</translation>
     </message>
     <message>
-        <source>Not exported yet.</source>
-        <translation>尚未导出。</translation>
-    </message>
-    <message>
-        <source>Edited since {0} was exported.</source>
-        <translation>导出 {0} 之后又有编辑。</translation>
-    </message>
-    <message>
         <source>Select a marker first.</source>
         <translation>请先选择一个标记点。</translation>
     </message>
     <message>
         <source>Labels are being looked for already.</source>
         <translation>已在查找标签。</translation>
-    </message>
-    <message>
-        <source>Analog</source>
-        <translation>模拟通道</translation>
-    </message>
-    <message>
-        <source>Markers</source>
-        <translation>标记点</translation>
-    </message>
-    <message>
-        <source>Queue</source>
-        <translation>队列</translation>
-    </message>
-    <message>
-        <source>Repair</source>
-        <translation>修复</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>时间线</translation>
-    </message>
-    <message>
-        <source>Repairs</source>
-        <translation>修复列表</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>计划</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>历史</translation>
-    </message>
-    <message>
-        <source>Labels</source>
-        <translation>标签</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>平滑</translation>
-    </message>
-    <message>
-        <source>{0} events</source>
-        <translation>{0} 个事件</translation>
-    </message>
-    <message>
-        <source>{0} analog channels</source>
-        <translation>{0} 个模拟通道</translation>
-    </message>
-    <message>
-        <source>{0} model outputs</source>
-        <translation>{0} 个模型输出</translation>
-    </message>
-    <message>
-        <source>This file has no marker samples: there is nothing to repair.
-
-It holds {0}.</source>
-        <translation>此文件没有标记点采样：没有可修复的内容。
-
-其中有 {0}。</translation>
-    </message>
-    <message>
-        <source>nothing that can be shown</source>
-        <translation>没有可显示的内容</translation>
     </message>
 </context>
 </TS>

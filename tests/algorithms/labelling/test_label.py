@@ -15,7 +15,7 @@ from mocapmend_algorithms.labelling import (
     label,
     labelled_recording,
 )
-from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.names import without_subject
 
 SURE = 0.8
 

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.corrections import exchange, stored_places
 from mocapmend_algorithms.labelling import Labelled, Labelling, Piece, changes, labelled_recording
-from mocapmend_algorithms.labelling.names import is_meaningful, named_points
 from mocapmend_algorithms.labelling.pieces import cut_pieces
+from mocapmend_algorithms.names import is_meaningful, named_points
 
 LABELS = ("A", "B", "C")
 

@@ -1,7 +1,7 @@
 """What is learned of labelled recordings, and how it is kept."""
 
 import json
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -29,6 +29,11 @@ def test_json_gives_the_same_model_back():
     same(LabelModel.from_json(model.to_json()), model)
 
 
+def test_a_document_holds_all_there_is():
+    document = json.loads(LabelModel.learn([body(20)]).to_json())
+    assert set(document) == {"schema", *(field.name for field in fields(LabelModel))}
+
+
 @pytest.mark.parametrize("text", ["{}", "[]", "1", '{"schema": 2}', "not json", '{"schema": 1}'])
 def test_another_document_is_refused(text):
     with pytest.raises(ValueError):
@@ -37,6 +42,23 @@ def test_another_document_is_refused(text):
     for key, value in (("length", [[1.0]]), ("labels", ["A"] * len(LABELS)), ("segments", [[99]])):
         with pytest.raises(ValueError):
             LabelModel.from_json(json.dumps(document | {key: value}))
+
+
+@pytest.mark.parametrize(
+    ("key", "place", "value"),
+    [
+        ("shapes", (1, 0, 0), -1e308), ("poses", (0, 0, 1), None), ("length", (0, 1), -5.0),
+        ("spread", (0, 1), -0.1), ("wander", (2,), -1.0), ("length", (0, 1), 1e30),
+    ],
+)  # fmt: skip
+def test_a_document_that_was_damaged_is_refused(key, place, value):
+    document = json.loads(LabelModel.learn([body(20)]).to_json())
+    inner = document[key]
+    for index in place[:-1]:
+        inner = inner[index]
+    inner[place[-1]] = value
+    with pytest.raises(ValueError, match=f"^{key} has"):
+        LabelModel.from_json(json.dumps(document))
 
 
 def test_distances_are_those_of_the_body_in_mm():

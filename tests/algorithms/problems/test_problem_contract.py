@@ -57,7 +57,7 @@ def test_degenerate_recordings_have_no_errors_that_break_it(name, shape, fill):
     for unit in ("mm", "m"):
         recording = Recording(points.copy(), labels, 100.0, unit)
         runs = way.function(recording, NOTHING, way.params(), no_progress)
-        if fill in ("zero", "missing") and name != "reflections":
+        if fill in ("zero", "missing"):
             assert runs == []
 
 
@@ -153,6 +153,13 @@ def test_detectors_that_were_not_asked_for_say_nothing():
     recording = wrecked()
     runs = detect(recording, NOTHING, ["frozen", "far"], no_progress)
     assert {run.kind for run in runs} == {"frozen", "far"}
+
+
+def test_parameters_go_to_the_detector_that_they_are_of():
+    recording = wrecked()
+    params = {"far": detector("far").params(least_mm=20_000.0)}
+    runs = detect(recording, NOTHING, ["frozen", "far"], no_progress, params=params)
+    assert {run.kind for run in runs} == {"frozen"}
 
 
 def test_the_distances_are_measured_once_and_forgotten_with_the_recording():

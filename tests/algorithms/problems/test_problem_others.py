@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from bodies import body, changed, found_by, spans
 
-from mocapmend_algorithms.problems.fragments import is_unlabelled
+from mocapmend_algorithms.names import is_unlabelled
 
 NAN = np.nan
 
@@ -74,6 +74,20 @@ def test_an_end_that_bends_away_is_found(unit, after):
     assert spans([run]) == [(7, 340, 344) if after else (7, 296, 300)]
     assert run.deviation * clean.mm == pytest.approx(25.0, rel=0.1)
     assert ("after" if after else "before") in run.reason
+
+
+def test_many_ends_are_told_apart():
+    bend = np.outer([10.0, 20.0, 30.0, 40.0], [0.6, 0.0, 0.8])
+
+    def corrupt(points):
+        for marker in range(15):
+            # Pieces of many lengths: those after the gap are 40 frames long, and more.
+            start = 640 - 37 * marker
+            points[start : start + 40 - marker, marker] = NAN
+            points[start - 4 : start, marker] += bend
+
+    runs = found_by("tails", changed(body(), corrupt))
+    assert spans(runs) == [(m, 636 - 37 * m, 640 - 37 * m) for m in range(15)]
 
 
 @pytest.mark.parametrize("speed", [1.0, 3.0])
@@ -203,3 +217,11 @@ def test_two_names_of_one_point_are_left_alone():
     double = np.concatenate((clean.points, clean.points[:, :1] + 0.5), axis=1)
     recording = replace(clean, points=double, labels=(*clean.labels, "TWIN"))
     assert not found_by("reflections", recording)
+
+
+def test_points_that_are_hardly_ever_seen_together_are_left_alone():
+    def corrupt(points):
+        points[:3000, 9] = points[3100:, 9] = NAN
+        points[3000:3020, 9] = points[3000:3020, 6] + 1.0
+
+    assert not found_by("reflections", changed(body(60.0), corrupt))

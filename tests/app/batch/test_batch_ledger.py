@@ -1,5 +1,6 @@
 """The ledger survives being cut, and files are known by their bytes."""
 
+import errno
 import json
 import os
 from pathlib import Path
@@ -67,6 +68,54 @@ def test_every_cut_of_the_last_line_leaves_the_lines_before(tmp_path: Path) -> N
         after = Ledger(tmp_path)
         after.close()
         assert (after.begun, after.done) == ({"first.c3d", "next.c3d"}, {})
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        (("row", "state"), "done"), (("row", "file"), "another.c3d"), (("row", "seconds"), "long"),
+        (("row", "output"), 5), (("row", "figures", "gaps"), "many"),
+        (("row", "figures", "gaps"), True), (("row", "figures", "tracked_before"), [1.0]),
+        (("row", "figures", "warnings"), [1]), (("row", "figures", "reasons"), [{"gaps": 1}]),
+        (("row", "figures", "fixed", 0, "runs"), None),
+        (("row", "figures", "smoothed", "markers"), 2.5), (("input", "size"), "1"),
+        (("output", "sha256"), None),
+    ],
+)  # fmt: skip
+def test_lines_that_were_edited_are_passed_over(
+    tmp_path: Path, place: tuple[str | int, ...], value: object
+) -> None:
+    ledger = Ledger(tmp_path)
+    ledger.finish(FINISHED, "key")
+    ledger.close()
+    line = json.loads((tmp_path / NAME).read_bytes())
+    inner = line
+    for key in place[:-1]:
+        inner = inner[key]
+    inner[place[-1]] = value
+    (tmp_path / NAME).write_text(json.dumps(line) + "\n")
+    edited = Ledger(tmp_path)
+    edited.close()
+    assert edited.done == {}
+
+
+def test_a_disk_that_is_full_is_said_once(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+
+    class Full:
+        def write(self, data: bytes) -> None:
+            pass
+
+        def flush(self) -> None:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+        close = flush
+
+    stream, ledger._stream = ledger._stream, Full()
+    stream.close()
+    with pytest.raises(MocapmendError, match="cannot be written: No space left"):
+        ledger.begin("a.c3d")
+    ledger.close()
 
 
 @pytest.mark.parametrize(

@@ -126,7 +126,32 @@ def test_what_was_put_right_and_smoothed_is_never_silent(page: str) -> None:
     assert "found by spikes, swaps: 135 put right" in text
     assert "Smoothing butterworth, 3 files" in text
     assert "spikes 3 6 15 swaps 3 3 120" in text
-    assert "Smoothing, rms shift (mm)" in text
+    assert "Moved by smoothing, rms (mm)" in text
+
+
+def test_columns_that_say_nothing_of_any_file_are_left_out(facts: Facts) -> None:
+    plain = replace(FIGURES, fixed=(), smoothed=None, wrong_before=0.0)
+    rows = [Row(file="a", state="repaired", figures=plain, output="a"), *ROWS[2:4]]
+
+    def titles(rows: list[Row]) -> set[str]:
+        sections = {section.anchor: section for section in contents(rows, facts).sections}
+        return {column.title for column in sections["files"].parts[1].columns}
+
+    full = replace(FIGURES, wrong_before=0.5, no_estimate=1)
+    named = Row(file="b", state="repaired", figures=full, output="b", report="b.html")
+    assert titles([*rows, named]) - titles(rows) == {
+        "Report", "Filled without estimate", "there but wrong (%)", "Bad samples put right",
+        "Moved by smoothing, rms (mm)", "at most (mm)",
+    }  # fmt: skip
+    assert {"File", "Result", "Gaps", "Left open", "Seconds"} < titles(rows)
+
+
+def test_what_was_there_but_wrong_has_its_own_number(facts: Facts) -> None:
+    rows = [replace(ROWS[0], figures=replace(FIGURES, wrong_before=1.5))]
+    head = dict(contents(rows, facts).head[0].rows)
+    assert head["Markers tracked"] == (
+        "92.00 % before (1.50 % were there but wrong), 94.00 % after"
+    )
 
 
 def test_the_chart_is_a_distribution(facts: Facts) -> None:

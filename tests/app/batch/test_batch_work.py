@@ -5,12 +5,15 @@ import os
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from batch_trials import write_trial
+from c3d_synthetic import Synthetic, encode
 
 from mocapmend import repairing
 from mocapmend.batch.results import Figures, Problem, Reason, Row
-from mocapmend.batch.show import SMALLEST, Tracker, duration, result_text
+from mocapmend.batch.show import Tracker, duration, result_text
+from mocapmend.batch.time_left import SMALLEST, TimeLeft
 from mocapmend.batch.totals import Totals, by_need
 from mocapmend.batch.work import Task, do, reasons_of
 from mocapmend.plan import Plan
@@ -60,6 +63,23 @@ class TestWork:
         assert finished.output.size == task.out.stat().st_size
         assert finished.input is not None
         assert Row.from_json(finished.row.as_json()) == finished.row
+
+    def test_what_was_wrong_was_not_tracked(self, tmp_path: Path) -> None:
+        points = np.full((120, 5, 3), 900.0) + np.arange(5).reshape(1, 5, 1) * 100.0
+        points += 100.0 * np.sin(np.arange(120) / 20.0)[:, None, None]
+        points[60, 1] += 300.0
+        path = tmp_path / "a.c3d"
+        path.write_bytes(encode(Synthetic(points)))
+        task = task_of(path, tmp_path / "out.c3d")
+        plan = replace(PLAN, fix=("spikes",))
+        figures = do(
+            replace(task, request=replace(task.request, plan=plan)), no_progress, ignore
+        ).row.figures
+        assert figures is not None
+        assert figures.samples_fixed == figures.samples_missing >= 1
+        share = 100 * figures.samples_fixed / 600
+        assert figures.wrong_before == pytest.approx(share)
+        assert figures.tracked_before == pytest.approx(100 - share)
 
     def test_what_goes_wrong_is_in_the_row(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -175,18 +195,53 @@ class TestShow:
         large = replace(task, file="large", size=3 * SMALLEST)
         small = replace(task, file="small", size=10)
         shown = Tracker([large, small], clock=lambda: clock[0])
-        assert math.isnan(shown.seconds_left)
         shown.began(large)
         shown.began(small)
-        assert shown.line(8) == "0 of 2 files: large, small"
+        assert shown.line(1) == "0 of 2 files: large"
         shown.at(large, "Filling", 0.5)
         assert shown.line(1) == "0 of 2 files: large (filling 50 %)"
         clock[0] += 90.0
-        shown.finished(large)
-        assert shown.seconds_left == pytest.approx(30)
+        shown.finished(large, Row(file="large", state="repaired", seconds=90.0))
         assert shown.line(8) == "1 of 2 files, about 30 s left: small"
-        shown.finished(small)
-        assert shown.seconds_left == 0
+        clock[0] += 20.0
+        assert shown.line(8) == "1 of 2 files, about 10 s left: small"
+        shown.finished(small, Row(file="small", state="repaired", seconds=21.0))
+        assert shown.line(8) == "2 of 2 files: "
+
+    def test_the_time_left_goes_down_as_time_goes_by(self, tmp_path: Path) -> None:
+        task = task_of(tmp_path / "a.c3d", tmp_path / "out.c3d")
+        tasks = [replace(task, file=str(n), size=SMALLEST) for n in range(8)]
+        clock = [0.0]
+        left = TimeLeft(tasks, clock=lambda: clock[0])
+        told = []
+        for second in range(40):
+            clock[0] = float(second)
+            pair = second // 10
+            if second % 10 == 0 and second:
+                for n in (2 * pair - 2, 2 * pair - 1):
+                    left.finished(tasks[n], 10.0)
+            told.append(left.seconds([str(2 * pair), str(2 * pair + 1)], workers=2))
+        assert all(math.isnan(seconds) for seconds in told[:10])
+        assert told[10:] == [float(40 - second) for second in range(10, 40)]
+
+    def test_the_last_files_are_not_shared(self, tmp_path: Path) -> None:
+        task = task_of(tmp_path / "a.c3d", tmp_path / "out.c3d")
+        tasks = [replace(task, file=str(n), size=SMALLEST) for n in range(3)]
+        clock = [0.0]
+        left = TimeLeft(tasks, clock=lambda: clock[0])
+        left.finished(tasks[0], 10.0)
+        left.finished(tasks[1], None)
+        assert left.seconds(["2"], workers=8) == 10.0
+        clock[0] += 12.0
+        assert math.isnan(left.seconds(["2"], workers=8)), "it takes longer than was thought"
+
+    def test_a_long_name_does_not_hide_how_far_it_is(self, tmp_path: Path) -> None:
+        task = task_of(tmp_path / "a.c3d", tmp_path / "out.c3d")
+        long = replace(task, file="subject/" * 20 + "trial 07.c3d")
+        shown = Tracker([long], clock=lambda: 0.0)
+        shown.at(long, "Filling", 0.25)
+        assert shown.line(1).endswith("trial 07.c3d (filling 25 %)")
+        assert len(shown.line(1)) < 80
 
     @pytest.mark.parametrize(
         ("seconds", "text"),

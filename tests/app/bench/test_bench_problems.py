@@ -56,12 +56,13 @@ def data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.parametrize("experiment", EXPERIMENTS, ids=lambda each: each.key)
 def test_errors_are_put_in_at_the_rate_and_are_what_they_say(experiment: Any) -> None:
     corruptor = Corruptor(experiment.corrupt, 3)
-    wrong = total = 0
+    total = 0
+    put_in: list[int] = []
     for seed in range(40):
         source = swaying(seed)
         canvas = corruptor.corrupted(source)
         truth = canvas.truth()
-        wrong += int(truth.sum())
+        put_in += [error.samples for error in canvas.errors]
         total += source.present.size
         now, before = canvas.recording.points, source.points
         kept = ~truth[:, :MARKERS]
@@ -75,10 +76,11 @@ def test_errors_are_put_in_at_the_rate_and_are_what_they_say(experiment: Any) ->
                     assert np.array_equal(some, before[error.start : error.stop, error.belongs_to])
                 else:
                     assert not (some == before[error.start : error.stop, marker]).all()
-    # Those that are long overshoot by one at most, and swaps near each other do not exist here.
-    longest = 1000 if experiment.detector == "swaps" else 250
-    if experiment.key != "swaps-near":
-        assert wrong == pytest.approx(RATE * total, rel=0.1, abs=longest)
+    if experiment.key == "swaps-near":
+        assert put_in == []  # No two markers are as near here.
+    else:
+        # The last one may overshoot.
+        assert RATE * total <= sum(put_in) < RATE * total + max(put_in)
 
 
 def test_the_same_seed_puts_in_the_same_errors() -> None:
@@ -137,9 +139,9 @@ def test_a_swap_is_only_taken_back_exactly_by_its_very_frames() -> None:
     late = BadRun("swaps", a, error.start, error.stop + 1, 1.0, 1.0, "", other=b)
     assert trials._taken_back(canvas, [right]) == [True]
     assert trials._taken_back(canvas, [late]) == [False]
-    early = BadRun("swaps", a, error.start, max(error.start + 1, error.stop - 1), 1.0, 1.0, "", b)
-    if early.stop < error.stop:
-        assert trials._taken_back(canvas, [early]) == [False]
+    assert error.stop - error.start > 1
+    early = BadRun("swaps", a, error.start, error.stop - 1, 1.0, 1.0, "", b)
+    assert trials._taken_back(canvas, [early]) == [False]
     assert trials._taken_back(canvas, []) == []
 
 

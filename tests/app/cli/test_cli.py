@@ -466,6 +466,19 @@ def test_progress_is_shown_where_somebody_looks(
     assert printed.out == "Done.\n"
 
 
+def test_a_line_that_changes_is_never_wrapped(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setenv("COLUMNS", "20")
+    shown = console.Console("batch", as_json=False)
+    shown.status("0 of 1 file: 動作捕捉.c3d")
+    shown.close()
+    line, _, nothing = capsys.readouterr().err.strip("\r").rpartition("\r")
+    assert line == "0 of 1 file: 動作捕"
+    assert nothing == " " * 19
+
+
 def test_labels_cannot_control_the_terminal(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

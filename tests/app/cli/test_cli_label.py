@@ -10,7 +10,7 @@ from c3d_synthetic import Synthetic, encode
 
 from mocapmend.cli import main
 from mocapmend.files import read_c3d
-from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.names import without_subject
 
 Json = Callable[..., tuple[int, Any]]
 

@@ -83,6 +83,35 @@ def test_a_kind_that_does_not_exist(wrong: Path, capsys: pytest.CaptureFixture[s
     assert "there is no detector 'spooks'" in capsys.readouterr().err
 
 
+def test_parameters_of_a_kind(run_json: Json, wrong: Path) -> None:
+    options = ("--only", "spikes,frozen", "--param")
+    _, found = run_json("problems", wrong, *options, f"spikes.least_mm={SPIKE_MM + 10}")
+    assert found["problems"] == []
+    assert found["parameters"]["spikes"]["least_mm"] == SPIKE_MM + 10
+    assert found["parameters"]["frozen"]["least_frames"] == 2
+    _, found = run_json("problems", wrong, *options, f"spikes.least_mm={SPIKE_MM - 10}")
+    assert [p["marker_index"] for p in _in(found)] == [5]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("least_mm=5", "--param takes KIND.NAME=VALUE, with a kind of spikes, frozen"),
+        ("swaps.least_mm=5", "with a kind of spikes, frozen; not 'swaps.least_mm'"),
+        ("spikes.size=5", "there is no parameter 'size'; the parameters are: least_mm"),
+        ("spikes.least_mm=-5", "least_mm must be at least 0.1 mm, not -5"),
+        ("spikes.least_mm", "--param takes NAME=VALUE"),
+    ],
+)
+def test_impossible_parameters(
+    wrong: Path, capsys: pytest.CaptureFixture[str], given: str, message: str
+) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(["problems", str(wrong), "--only", "spikes,frozen", "--param", given])
+    assert stopped.value.code == 2
+    assert message in capsys.readouterr().err
+
+
 def _in(found: dict[str, Any]) -> list[dict[str, Any]]:
     problems: list[dict[str, Any]] = found["problems"]
     return problems

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from html import unescape
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,12 @@ from typing import Any
 import pypdf
 import pytest
 
+from mocapmend import engine
+from mocapmend.changes import earlier, renames
 from mocapmend.cli import main
+from mocapmend.files import read_c3d
+from mocapmend.layers import Layers
+from mocapmend_algorithms import no_progress
 
 Json = Callable[..., tuple[int, Any]]
 
@@ -114,3 +120,19 @@ def test_a_report_says_in_words_what_it_did(
     assert main(["report", str(gait), str(gait), "-o", str(page)]) == 0
     assert str(page) in capsys.readouterr().out
     assert "No gap was filled." in page_text(page)
+
+
+def test_a_recording_whose_markers_were_renamed_can_be_compared(
+    samples: Path, tmp_path: Path
+) -> None:
+    walk, out, page = samples / "walk_cmu_02_01.c3d", tmp_path / "o.c3d", tmp_path / "r.html"
+    source = read_c3d(walk)
+    labels = ["Pelvis & co", *source.recording.labels[1:]]
+    made = replace(earlier(Layers.of(source)), renamed=renames(source, labels)).changes()
+    engine.export(source, made, out, False, False, no_progress)
+    assert main(["report", str(walk), str(out), "-o", str(page)]) == 0
+    told = page_text(page)
+    assert f"1 marker was renamed: {source.recording.labels[0]} to Pelvis & co." in told
+    assert "Pelvis & co" not in page.read_text("utf-8")
+    again = tmp_path / "again.html"
+    assert main(["report", str(out), str(out), "-o", str(again)]) == 0

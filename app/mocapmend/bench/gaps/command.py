@@ -3,14 +3,13 @@
 import argparse
 import math
 import os
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
-from mocapmend.bench.arguments import at_least
+from mocapmend.bench.arguments import add_data, at_least
 from mocapmend.bench.gaps import scaling, tables
 from mocapmend.bench.gaps.cases import HALVES, Case, halves, read_cases
 from mocapmend.bench.gaps.figures import Trials
@@ -18,23 +17,17 @@ from mocapmend.bench.gaps.protocols import AUTO, KNOWN
 from mocapmend.bench.gaps.targets import targets
 from mocapmend.bench.gaps.trials import Trial, load, run_case, warm_up
 from mocapmend.bench.grid import Report
+from mocapmend.bench.say import say
 from mocapmend.errors import MocapmendError
 from mocapmend_algorithms.fill import registry
 
-DATA = Path("../shared/data")
 CASES = Path("peers/cases.json")
 THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    parser.add_argument(
-        "--data",
-        type=Path,
-        default=DATA,
-        metavar="DIR",
-        help="the folder of the recordings (default: %(default)s)",
-    )
+    add_data(parser)
     parser.add_argument(
         "--case-file",
         type=Path,
@@ -76,7 +69,7 @@ def run(arguments: argparse.Namespace) -> Report:
     if arguments.scaling:
         walk = scaling.bundled_walk()
         series = scaling.sizes(round(scaling.SECONDS * walk.rate))
-        grid = scaling.scaling(walk, series, arguments.methods, _say)
+        grid = scaling.scaling(walk, series, arguments.methods, say)
         title = f"Cost of repair, {walk.markers} markers, gaps of {scaling.GAP_SECONDS:g} s"
         return Report(title, [grid], [_threads(), "One run; a walk played to and fro."])
     cases = read_cases(arguments.case_file or [arguments.data / CASES])
@@ -87,7 +80,7 @@ def run(arguments: argparse.Namespace) -> Report:
     found: list[Trial] = []
     for number, trials in enumerate(_run_all(chosen, arguments), 1):
         found += trials
-        _say(f"{number} of {len(chosen)}: {_sentence(trials)}")
+        say(f"{number} of {len(chosen)}: {_sentence(trials)}")
     ordered = sorted(found, key=lambda trial: arguments.methods.index(trial.method))
     return report(Trials(ordered), half_of, arguments.half, arguments.jobs)
 
@@ -183,11 +176,6 @@ def _threads() -> str:
         if name in os.environ:
             return f"BLAS threads: {os.environ[name]} ({name})."
     return f"BLAS threads: not limited (set {THREADS[0]}=1 for steady CPU times)."
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(f"{text}\n")
-    sys.stderr.flush()
 
 
 def _names(text: str) -> list[str]:

@@ -1,28 +1,19 @@
 """What `bench labels` takes, and the run."""
 
 import argparse
-import sys
-from pathlib import Path
 
-from mocapmend.bench.arguments import at_least
+from mocapmend.bench.arguments import add_data, at_least
 from mocapmend.bench.grid import Report
 from mocapmend.bench.labels import scrambling, tables
 from mocapmend.bench.labels.pairs import HALVES, KINDS, OTHER_SET, pairs
 from mocapmend.bench.labels.trials import HALF_LABELLED, Trial, attempt
+from mocapmend.bench.say import say
 from mocapmend.errors import MocapmendError
-
-DATA = Path("../shared/data")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    parser.add_argument(
-        "--data",
-        type=Path,
-        default=DATA,
-        metavar="DIR",
-        help="the folder of the recordings (default: %(default)s)",
-    )
+    add_data(parser)
     parser.add_argument(
         "--half", choices=HALVES, help="pairs of one half of the subjects: tune on train alone"
     )
@@ -58,7 +49,7 @@ def run(arguments: argparse.Namespace) -> Report:
             for keep in (0.0,) if pair.kind == OTHER_SET else (0.0, HALF_LABELLED):
                 naive = seed == 1 and keep == 0.0
                 trials.append(attempt(arguments.data, pair, seed, keep, naive=naive))
-        _say(f"{number} of {len(chosen)}: {_sentence(trials[-1])}")
+        say(f"{number} of {len(chosen)}: {_sentence(trials[-1])}")
     return report(trials)
 
 
@@ -90,8 +81,3 @@ def _sentence(trial: Trial) -> str:
         f"{trial.pair.target} by {trial.pair.source} ({trial.pair.kind}): {right:.2%} right, "
         f"{trial.seconds:.1f} s"
     )
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(f"{text}\n")
-    sys.stderr.flush()

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from mocapmend.files import read_recording
 from mocapmend_algorithms import Recording
-from mocapmend_algorithms.labelling.names import is_meaningful, without_subject
+from mocapmend_algorithms.names import is_meaningful, without_subject
 
 FOLDER = "cmu_markers"
 FILES = {

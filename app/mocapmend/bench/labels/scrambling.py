@@ -7,7 +7,7 @@ import numpy as np
 from mocapmend_algorithms import Recording
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
-from mocapmend_algorithms.labelling.names import without_subject
+from mocapmend_algorithms.names import without_subject
 
 OCCLUSIONS_PER_SECOND = 0.25
 """Of each marker."""

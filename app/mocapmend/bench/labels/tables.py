@@ -1,12 +1,12 @@
 """The tables of a run."""
 
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from mocapmend.bench.grid import Cell, Column, Grid
+from mocapmend.bench.grid import Cell, Column, Grid, share
 from mocapmend.bench.labels.pairs import ACROSS, HALVES, KINDS, SAME
 from mocapmend.bench.labels.trials import Trial
 
@@ -74,7 +74,7 @@ def summary(trials: Sequence[Trial]) -> Grid:
 
 def _summary_row(group: Group, trials: Sequence[Trial]) -> dict[str, Cell]:
     samples = sum(trial.samples for trial in trials)
-    right = _share((trial.right for trial in trials), samples)
+    right = share(sum(trial.right for trial in trials), samples)
     rivals = [trial for trial in trials if trial.naive is not None]
     target = TARGETS.get(group.kind)
     return {
@@ -84,15 +84,15 @@ def _summary_row(group: Group, trials: Sequence[Trial]) -> dict[str, Cell]:
         "trials": len(trials),
         "samples": samples,
         "right": right,
-        "worst": min(_share([trial.right], trial.samples) for trial in trials),
+        "worst": min(share(trial.right, trial.samples) for trial in trials),
         "target": "" if target is None else f">= {target:.0%}",
         "met": None if target is None else right >= target,
-        "none": _share((trial.none for trial in trials), samples),
-        "ghosts": _share(
-            (trial.ghosts_labelled for trial in trials), sum(trial.ghosts for trial in trials)
+        "none": share(sum(trial.none for trial in trials), samples),
+        "ghosts": share(
+            sum(trial.ghosts_labelled for trial in trials), sum(trial.ghosts for trial in trials)
         ),
-        "naive": _share(
-            (trial.naive or 0 for trial in rivals), sum(trial.samples for trial in rivals)
+        "naive": share(
+            sum(trial.naive or 0 for trial in rivals), sum(trial.samples for trial in rivals)
         ),
         "seconds": float(np.mean([trial.seconds for trial in trials])),
         "slowest": max(trial.seconds for trial in trials),
@@ -119,7 +119,7 @@ def confidence(trials: Sequence[Trial]) -> Grid:
                 "pieces": int(inside.sum()),
                 "stated": float(stated[inside].mean()) if inside.any() else None,
                 "right": float(right[inside].mean()) if inside.any() else None,
-                "share_of_wrong": _share([int(lengths[inside & ~right].sum())], int(wrong)),
+                "share_of_wrong": share(int(lengths[inside & ~right].sum()), int(wrong)),
             }
             rows.append(row)
     return Grid("confidence", "Is a low confidence a wrong label", _CONFIDENCE, rows)
@@ -138,15 +138,11 @@ def each(trials: Sequence[Trial]) -> Grid:
             "frames": trial.frames,
             "points": trial.points,
             "pieces": trial.pieces,
-            "right": _share([trial.right], trial.samples),
-            "none": _share([trial.none], trial.samples),
-            "naive": None if trial.naive is None else _share([trial.naive], trial.samples),
+            "right": share(trial.right, trial.samples),
+            "none": share(trial.none, trial.samples),
+            "naive": None if trial.naive is None else share(trial.naive, trial.samples),
             "seconds": trial.seconds,
         }
         for trial in trials
     ]
     return Grid("trials", "Trials", _TRIALS, rows)
-
-
-def _share(counts: Iterable[int], whole: int) -> float:
-    return sum(counts) / whole if whole else float("nan")

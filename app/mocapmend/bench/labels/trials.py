@@ -96,22 +96,22 @@ def attempt(data: Path, pair: Pair, seed: int, keep: float, *, naive: bool) -> T
         ]
     )
     return Trial(
-        pair,
-        seed,
-        keep,
-        int(known.sum()),
-        int((given == truth)[known].sum()),
-        int((given < 0)[known].sum()),
-        int(ghost.sum()),
-        int((given >= 0)[ghost].sum()),
-        None if rival is None else int((rival == truth)[known].sum()),
-        seconds,
-        recording.frames,
-        recording.markers,
-        len(found.proposals),
-        np.array([each.confidence for each in judged]),
-        share > 0.5,
-        np.array([each.piece.length for each in judged], np.int64),
+        pair=pair,
+        seed=seed,
+        keep=keep,
+        samples=int(known.sum()),
+        right=int((given == truth)[known].sum()),
+        none=int((given < 0)[known].sum()),
+        ghosts=int(ghost.sum()),
+        ghosts_labelled=int((given >= 0)[ghost].sum()),
+        naive=None if rival is None else int((rival == truth)[known].sum()),
+        seconds=seconds,
+        frames=recording.frames,
+        points=recording.markers,
+        pieces=len(found.proposals),
+        confidence=np.array([each.confidence for each in judged]),
+        correct=share > 0.5,
+        lengths=np.array([each.piece.length for each in judged], np.int64),
     )
 
 

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from mocapmend.bench.arguments import at_least
+from mocapmend.bench.arguments import add_data, at_least
 from mocapmend.bench.grid import Cell, Column, Grid, Report
 from mocapmend.bench.paper import rivals as rival_table
 from mocapmend.bench.paper.rivals import Rival
@@ -34,18 +34,10 @@ from mocapmend.bench.paper.trials import (
 )
 from mocapmend.errors import MocapmendError
 
-DATA = Path("../shared/data")
-
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    parser.add_argument(
-        "--data",
-        type=Path,
-        default=DATA,
-        metavar="DIR",
-        help="the folder of the recordings (default: %(default)s)",
-    )
+    add_data(parser)
     parser.add_argument(
         "--motion", choices=MOTIONS, help="one kind of motion (default: all of them)"
     )

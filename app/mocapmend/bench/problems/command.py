@@ -1,10 +1,8 @@
 """What `bench problems` takes, and the run."""
 
 import argparse
-import sys
-from pathlib import Path
 
-from mocapmend.bench.arguments import at_least
+from mocapmend.bench.arguments import add_data, at_least
 from mocapmend.bench.grid import Report
 from mocapmend.bench.problems import tables
 from mocapmend.bench.problems.corruption import RATE
@@ -12,20 +10,14 @@ from mocapmend.bench.problems.experiments import EXPERIMENTS, SWAP_REPEATS
 from mocapmend.bench.problems.recordings import CLEAN, HALVES, KNOWN
 from mocapmend.bench.problems.trials import Outcome, run_experiment
 from mocapmend.bench.problems.untouched import Found, look
+from mocapmend.bench.say import say
 
-DATA = Path("../shared/data")
 UNTOUCHED = "untouched"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    parser.add_argument(
-        "--data",
-        type=Path,
-        default=DATA,
-        metavar="DIR",
-        help="the folder of the recordings (default: %(default)s)",
-    )
+    add_data(parser)
     parser.add_argument(
         "--only",
         metavar="E,...",
@@ -48,7 +40,7 @@ def run(arguments: argparse.Namespace) -> Report:
         for half in halves:
             new = run_experiment(experiment, arguments.data, half, arguments.repeats)
             outcomes += new
-            _say(f"{experiment.key}, {half}: F1 {new[0].score.f1:.3f}")
+            say(f"{experiment.key}, {half}: F1 {new[0].score.f1:.3f}")
     found = _untouched(arguments, halves)
     grids = [
         tables.detectors(outcomes),
@@ -87,8 +79,3 @@ def _names(text: str) -> list[str]:
             f"there is no experiment {strange[0]!r}; there are: {', '.join(known)}"
         )
     return names
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(f"{text}\n")
-    sys.stderr.flush()

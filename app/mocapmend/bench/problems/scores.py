@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from mocapmend.bench.grid import share
 from mocapmend.bench.problems.corruption import Canvas
 from mocapmend_algorithms.arrays import BoolArray
 from mocapmend_algorithms.problems import BadRun
@@ -64,28 +65,28 @@ class Score:
     @property
     def precision(self) -> float:
         """Share of the samples found that are bad."""
-        return _share(self.right, self.right + self.false)
+        return share(self.right, self.right + self.false)
 
     @property
     def strict_precision(self) -> float:
         """The same where the recordings are held for faultless."""
-        return _share(self.right, self.right + self.false + self.earlier)
+        return share(self.right, self.right + self.false + self.earlier)
 
     @property
     def recall(self) -> float:
         """Share of the bad samples that were found."""
-        return _share(self.right, self.right + self.missed)
+        return share(self.right, self.right + self.missed)
 
     @property
     def f1(self) -> float:
         """Harmonic mean of precision and recall."""
-        return _share(2 * self.right, 2 * self.right + self.false + self.missed)
+        return share(2 * self.right, 2 * self.right + self.false + self.missed)
 
     @property
     def strict_f1(self) -> float:
         """F1 where the recordings are held for faultless."""
         wrong = self.false + self.earlier + self.missed
-        return _share(2 * self.right, 2 * self.right + wrong)
+        return share(2 * self.right, 2 * self.right + wrong)
 
     @property
     def latency(self) -> tuple[float, float]:
@@ -103,7 +104,3 @@ def flagged(shape: tuple[int, int], runs: Sequence[BadRun], *, both: bool = Fals
         if both and run.other is not None:
             mask[run.start : run.stop, run.other] = True
     return mask
-
-
-def _share(part: int, whole: int) -> float:
-    return part / whole if whole else float("nan")

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from mocapmend.bench.grid import Cell, Column, Grid
+from mocapmend.bench.grid import Cell, Column, Grid, share
 from mocapmend.bench.problems.recordings import CLEAN
 from mocapmend.bench.problems.trials import Outcome
 from mocapmend.bench.problems.untouched import Found
@@ -47,7 +47,7 @@ def detectors(outcomes: Sequence[Outcome]) -> Grid:
                 "way": outcome.way,
                 "count": score.errors,
                 "samples": score.right + score.missed,
-                "found": score.found / score.errors if score.errors else float("nan"),
+                "found": share(score.found, score.errors),
                 "precision": score.precision,
                 "recall": score.recall,
                 "f1": score.f1,
@@ -77,7 +77,7 @@ def untouched(found: Sequence[Found]) -> Grid:
             "clean": each.recording in CLEAN,
             "samples": each.samples,
             **each.flagged,
-            "share": 100 * each.all_flagged / each.samples if each.samples else float("nan"),
+            "share": 100 * share(each.all_flagged, each.samples),
             "worst": each.worst,
         }
         for each in found
@@ -107,10 +107,11 @@ def targets(outcomes: Sequence[Outcome], found: Sequence[Found]) -> Grid:
             )
     clean = [each for each in found if each.recording in CLEAN]
     if clean:
-        share = sum(each.all_flagged for each in clean) / sum(each.samples for each in clean)
+        flagged = sum(each.all_flagged for each in clean)
+        found_share = share(flagged, sum(each.samples for each in clean))
         text = f"< {100 * MOST_FALSE:g}"
         what = "samples found in the clean recordings, %"
-        rows.append(_row(what, 100 * share, text, met=share < MOST_FALSE))
+        rows.append(_row(what, 100 * found_share, text, met=found_share < MOST_FALSE))
     return Grid("targets", "Targets, on the validation recordings", _TARGETS, rows)
 
 

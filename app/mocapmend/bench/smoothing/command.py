@@ -1,30 +1,22 @@
 """What `bench smoothing` takes, and the run."""
 
 import argparse
-import sys
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
 
 import numpy as np
 
-from mocapmend.bench.arguments import at_least
+from mocapmend.bench.arguments import add_data, at_least
 from mocapmend.bench.grid import Cell, Column, Grid, Report
+from mocapmend.bench.say import say
 from mocapmend.bench.smoothing.cases import BAD_TRUTH, HALVES, Case, read_cases
 from mocapmend.bench.smoothing.trials import WAYS, Trial, trials
 
-DATA = Path("../shared/data")
 NOISES_MM = (0.0, 0.5, 1.0, 2.0, 5.0)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the benchmark takes."""
-    parser.add_argument(
-        "--data",
-        type=Path,
-        default=DATA,
-        metavar="DIR",
-        help="the folder of the recordings (default: %(default)s)",
-    )
+    add_data(parser)
     parser.add_argument(
         "--half", choices=HALVES, help="one half of the subjects: tune on one, report the other"
     )
@@ -43,7 +35,7 @@ def run(arguments: argparse.Namespace) -> Report:
     for number, case in enumerate(cases, 1):
         for noise in NOISES_MM:
             found += trials(case, noise, WAYS)
-        sys.stderr.write(f"{number} of {len(cases)}: {case.name}\n")
+        say(f"{number} of {len(cases)}: {case.name}")
     return report(cases, found)
 
 

@@ -13,6 +13,7 @@ import pytest
 from batch_trials import write_trial
 from c3d_synthetic import Synthetic, encode
 
+from mocapmend import engine
 from mocapmend.batch import running
 from mocapmend.batch.ledger import NAME as LEDGER
 from mocapmend.cli import main
@@ -181,8 +182,6 @@ def test_a_link_that_leads_nowhere_is_named(run: Run, trials: Path) -> None:
 def test_an_unexpected_error_costs_one_file_and_is_in_the_log(
     run: Run, monkeypatch: pytest.MonkeyPatch, log_file: Path
 ) -> None:
-    from mocapmend import engine
-
     export = engine.export
 
     def fail(source: Any, *arguments: Any) -> Any:
@@ -331,6 +330,29 @@ def test_what_somebody_has_made_of_a_file_that_failed_is_kept(
     assert (out / "bad.c3d").read_text() == "work of an evening"
 
 
+def test_a_copy_of_an_attempt_that_failed_is_no_work_of_others(
+    run: Run, trials: Path, out: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    export = engine.export
+
+    def change_meanwhile(source: Any, *arguments: Any) -> Any:
+        done = export(source, *arguments)
+        if source.path.name == "a 1.C3D":
+            write_trial(source.path, seed=11)
+        return done
+
+    with monkeypatch.context() as patch:
+        patch.setattr(engine, "export", change_meanwhile)
+        code, done = run()
+    assert code == 1
+    assert (out / "a 1.C3D").exists()
+    assert "changed" in problem(done, "a 1.C3D")["what"]
+    assert "the next run replaces it" in problem(done, "a 1.C3D")["todo"]
+    code, done = run()
+    assert code == 0
+    assert states(done) == dict.fromkeys(NAMES, "unchanged") | {"a 1.C3D": "repaired"}
+
+
 def test_out_inside_the_folder_is_no_input(
     run_json: Json, trials: Path, plan: Path, in_turn: None
 ) -> None:
@@ -381,6 +403,40 @@ def test_an_output_folder_that_is_read_only(run: Run, out: Path) -> None:
         assert "cannot be written" in done["error"]["what"]
     finally:
         out.chmod(0o700)
+
+
+@pytest.mark.skipif(
+    getattr(os, "geteuid", lambda: 0)() == 0, reason="the superuser may look everywhere"
+)
+@pytest.mark.parametrize("mode", [0o000, 0o444])
+def test_a_folder_that_one_may_not_look_into_is_named(run: Run, trials: Path, mode: int) -> None:
+    (trials / "s1").chmod(mode)
+    try:
+        code, done = run()
+        assert code == 1
+        failed = [row["file"] for row in done["files"] if row["state"] == "failed"]
+        assert failed
+        assert {name.split("/")[0] for name in failed} == {"s1"}
+        assert done["totals"]["repaired"] == 3
+    finally:
+        (trials / "s1").chmod(0o755)
+
+
+def test_what_was_done_is_told_where_the_summary_cannot_be_written(run: Run, out: Path) -> None:
+    (out / "summary.html").mkdir(parents=True)
+    code, done = run()
+    assert code == 1
+    assert states(done) == dict.fromkeys(NAMES, "repaired")
+    assert done["summary_html"] is None
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="names have other limits")
+def test_a_name_that_is_too_long_for_its_report_costs_one_file(run: Run, trials: Path) -> None:
+    long = "x" * 248 + ".c3d"
+    write_trial(trials / long)
+    code, done = run("--report")
+    assert code == 1
+    assert states(done) == dict.fromkeys(NAMES, "repaired") | {long: "failed"}
 
 
 def test_a_place_in_the_output_folder_that_cannot_be_made(run: Run, out: Path) -> None:

@@ -12,8 +12,12 @@ import pytest
 from batch_trials import write_trial
 
 from mocapmend.batch import cluster
-from mocapmend.batch.remote import introduce
+from mocapmend.batch.remote import attempt, introduce
+from mocapmend.batch.work import Task
 from mocapmend.cli import batch as cli_batch
+from mocapmend.plan import Plan
+from mocapmend.prospects import Way
+from mocapmend.repairing import Request
 
 Json = Callable[..., tuple[int, Any]]
 HERE = Path(__file__).parents[2] / "batch"
@@ -102,6 +106,17 @@ def test_workers_of_another_version_are_refused(run: Any, monkeypatch: pytest.Mo
     assert code == 1
     assert "this is mocapmend 0.0.1" in done["error"]["what"]
     assert "Install the same version everywhere" in done["error"]["todo"]
+
+
+def test_a_worker_of_another_version_that_comes_later_repairs_nothing(tmp_path: Path) -> None:
+    out = tmp_path / "out.c3d"
+    request = Request(file=tmp_path / "a.c3d", plan=Plan(Way.default("linear")), out=out)
+    task = Task(file="a.c3d", request=request, output="out.c3d", report="", size=1, key="")
+    finished = attempt(task, tmp_path, "0.0.1")
+    assert finished.row.problem is not None
+    assert "this is mocapmend 0.0.1" in finished.row.problem.what
+    assert finished.untouched
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_workers_that_do_not_see_the_folder_are_refused(

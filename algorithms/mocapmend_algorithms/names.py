@@ -1,8 +1,17 @@
-"""Which labels say what a point is, and which are only there because a point needs one."""
+"""Which labels say what a point is, and which are only there because a point needs one.
+
+There are two answers. A recording is known: a label like "3" may well be its laboratory's own name
+of a marker, and nothing but what programs write of themselves counts as no label. Another one is to
+be labelled by it: what would not be found in any other recording teaches nothing.
+"""
 
 import re
 from collections.abc import Sequence
 
+UNLABELLED = re.compile(
+    r"(\*.*|\s*|(unlabell?ed|unidentified|uname|u_|new)[\W_]*\d*)", re.IGNORECASE
+)
+"""As Vicon, Qualisys, OptiTrack and Motion Analysis name points that nobody has named."""
 MEANINGLESS = re.compile(
     r"""
     \*.*                                             # *0, as Vicon and others write them
@@ -12,6 +21,11 @@ MEANINGLESS = re.compile(
     """,
     re.IGNORECASE | re.VERBOSE,
 )
+
+
+def is_unlabelled(label: str) -> bool:
+    """Whether a label is what a program calls a point that nobody has named."""
+    return UNLABELLED.fullmatch(label.rpartition(":")[2]) is not None
 
 
 def without_subject(label: str) -> str:
