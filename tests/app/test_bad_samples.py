@@ -170,7 +170,7 @@ class TestFound:
     ) -> None:
         workspace = workspace_of(searched)
         assert "fragments" not in dict(kinds_found(workspace))
-        workspace.renaming.rename(5, "*5")
+        workspace.naming.renaming.rename(5, "*5")
         at_rest(workspace, qtbot)
         assert "fragments" in dict(kinds_found(workspace))
         workspace.document.undo_stack.undo()

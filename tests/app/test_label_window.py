@@ -62,11 +62,11 @@ def workspace(scrambled: Scrambled, file: Path, open_in: Open) -> Workspace:
 @pytest.fixture
 def review(workspace: Workspace, labelling: Labelling, qtbot: QtBot) -> LabelReview:
     """Return the review of labels that were proposed."""
-    workspace.show_pane(workspace.labels)
-    workspace.label_search._take(labelling, workspace.label_search._now())
-    qtbot.waitUntil(lambda: workspace.labels.table.currentIndex().row() == 0)
-    qtbot.waitUntil(workspace.labels.isEnabled)
-    found = workspace.label_search.review
+    workspace.show_pane(workspace.naming.pane)
+    workspace.naming.search._take(labelling, workspace.naming.search._now())
+    qtbot.waitUntil(lambda: workspace.naming.pane.table.currentIndex().row() == 0)
+    qtbot.waitUntil(workspace.naming.pane.isEnabled)
+    found = workspace.naming.search.review
     assert found is not None
     return found
 
@@ -101,10 +101,10 @@ def test_recordings_are_chosen_and_remembered(
     dialog.adding.click()
     assert dialog.paths == [walk]
     dialog.keep.setChecked(False)
-    with qtbot.waitSignal(workspace.label_search.started):
+    with qtbot.waitSignal(workspace.naming.search.started):
         dialog.go.click()
-    workspace.label_search.job.cancel()
-    qtbot.waitUntil(lambda: workspace.label_search.job is None)
+    workspace.naming.search.job.cancel()
+    qtbot.waitUntil(lambda: workspace.naming.search.job is None)
     assert settings.get(LABELLED_FILES) == [str(walk)]
     assert settings.get(KEEP_NAMES) is False
     window.actions_by_id["label_from"].trigger()
@@ -120,10 +120,10 @@ def test_what_cannot_be_learned_from_is_said(
     workspace: Workspace, walk: Path, tmp_path: Path, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(workspace.failed) as heard:
-        workspace._search_labels([tmp_path / "gone.c3d"], keep_names=True)
+        workspace.naming.look([tmp_path / "gone.c3d"], keep_names=True)
     assert "gone.c3d" in str(heard.args[0])
-    qtbot.waitUntil(lambda: workspace.label_search.job is None)
-    assert workspace.label_search.review is None
+    qtbot.waitUntil(lambda: workspace.naming.search.job is None)
+    assert workspace.naming.search.review is None
 
 
 def test_proposals_are_reviewed_by_keyboard_and_applied_in_one_step(
@@ -133,7 +133,7 @@ def test_proposals_are_reviewed_by_keyboard_and_applied_in_one_step(
     review: LabelReview,
     qtbot: QtBot,
 ) -> None:
-    document, view, pane = workspace.document, workspace.view, workspace.labels
+    document, view, pane = workspace.document, workspace.view, workspace.naming.pane
     before = document.labels
     sure = [review.proposal(row).confidence for row in range(len(review))]
     assert sure == sorted(sure)
@@ -183,7 +183,7 @@ def test_unsure_labels_are_reviewed_in_the_queue(
     workspace: Workspace, window: MainWindow, review: LabelReview, qtbot: QtBot
 ) -> None:
     queue, view, document = workspace.queue, workspace.view, workspace.document
-    workspace.labels.least.setValue(100)
+    workspace.naming.pane.least.setValue(100)
     every = [row for row in range(len(review)) if review.proposal(row).confidence < 1.0]
     choose(queue.kind, (UNSURE,))
     qtbot.waitUntil(lambda: queue.model.rowCount() == len(every))
@@ -195,7 +195,7 @@ def test_unsure_labels_are_reviewed_in_the_queue(
     window.actions_by_id["next_gap"].trigger()
     run = view.suspect
     assert run is not None
-    row = workspace.labels.table.currentIndex().row()
+    row = workspace.naming.pane.table.currentIndex().row()
     proposal = review.proposal(row)
     assert (run.marker, run.start, run.stop) == tuple(proposal.piece)
     assert run.score == proposal.confidence
@@ -206,7 +206,7 @@ def test_unsure_labels_are_reviewed_in_the_queue(
     workspace.apply(go_on=True)
     assert review.decision(row) is Decision.ACCEPTED
     assert view.suspect is not None
-    second = workspace.labels.table.currentIndex().row()
+    second = workspace.naming.pane.table.currentIndex().row()
     assert second != row
     window.actions_by_id["dismiss_problem"].trigger()
     assert review.decision(second) is Decision.REJECTED
@@ -234,7 +234,7 @@ def test_unsure_labels_are_reviewed_in_the_queue(
 def test_when_all_unsure_labels_are_looked_at_it_is_said(
     workspace: Workspace, review: LabelReview, qtbot: QtBot
 ) -> None:
-    workspace.labels.least.setValue(100)
+    workspace.naming.pane.least.setValue(100)
     queue = workspace.queue
     choose(queue.kind, (UNSURE,))
     told: list[str] = []
@@ -252,15 +252,15 @@ def test_when_all_unsure_labels_are_looked_at_it_is_said(
 def test_a_row_of_the_pane_is_the_current_problem(
     workspace: Workspace, review: LabelReview, qtbot: QtBot
 ) -> None:
-    workspace.labels.least.setValue(100)
+    workspace.naming.pane.least.setValue(100)
     unsure = workspace.search.suspects.labels
     row = next(row for row in range(1, len(review)) if unsure.run(row) is not None)
-    workspace.labels.table.selectRow(row)
+    workspace.naming.pane.table.selectRow(row)
     assert workspace.view.suspect == unsure.run(row)
 
 
 def test_another_label_is_chosen(workspace: Workspace, review: LabelReview) -> None:
-    pane = workspace.labels
+    pane = workspace.naming.pane
     free, taken = review.choices(0)
     assert pane.choice.count() == len(free) + len(taken) + 1
     other = next(label for label in taken if label != review.proposal(0).label)
@@ -275,7 +275,7 @@ def test_another_label_is_chosen(workspace: Workspace, review: LabelReview) -> N
 
 
 def test_the_least_confidence_says_how_many(workspace: Workspace, review: LabelReview) -> None:
-    pane = workspace.labels
+    pane = workspace.naming.pane
     pane.least.setValue(0)
     all_of_them, every = review.counts()
     pane.least.setValue(100)
@@ -286,18 +286,18 @@ def test_the_least_confidence_says_how_many(workspace: Workspace, review: LabelR
 def test_an_edit_meanwhile_is_told_and_labels_are_looked_for_again(
     workspace: Workspace, walk: Path, qtbot: QtBot
 ) -> None:
-    workspace._search_labels([walk], keep_names=True)
-    qtbot.waitUntil(lambda: workspace.label_search.review is not None)
-    pane, document = workspace.labels, workspace.document
+    workspace.naming.look([walk], keep_names=True)
+    qtbot.waitUntil(lambda: workspace.naming.search.review is not None)
+    pane, document = workspace.naming.pane, workspace.document
     assert pane.applying.isEnabled()
-    workspace.renaming.rename(0, "Something")
+    workspace.naming.renaming.rename(0, "Something")
     assert not pane.applying.isEnabled()
     assert "edited since" in pane.summary.text()
     pane.apply()
     assert document.undo_stack.count() == 1
-    first = workspace.label_search.review
+    first = workspace.naming.search.review
     pane.again.click()
-    qtbot.waitUntil(lambda: workspace.label_search.review is not first)
+    qtbot.waitUntil(lambda: workspace.naming.search.review is not first)
     assert pane.applying.isEnabled()
 
 
@@ -307,15 +307,15 @@ def test_proposed_names_are_seen_only_with_the_pane(
     assert workspace.view.proposed
     workspace.show_pane(workspace.timeline)
     qtbot.waitUntil(lambda: not workspace.view.proposed)
-    workspace.show_pane(workspace.labels)
+    workspace.show_pane(workspace.naming.pane)
     qtbot.waitUntil(lambda: bool(workspace.view.proposed))
 
 
 def test_a_recording_may_be_closed_meanwhile(
     workspace: Workspace, window: MainWindow, walk: Path, qtbot: QtBot
 ) -> None:
-    workspace._search_labels([walk], keep_names=True)
-    job = workspace.label_search.job
+    workspace.naming.look([walk], keep_names=True)
+    job = workspace.naming.search.job
     assert job is not None
     with qtbot.waitSignal(job.ended):
         window.files.close()
@@ -368,7 +368,7 @@ def test_labels_that_were_learned_can_be_chosen(
 
 
 def chooser_of(workspace: Workspace) -> LabelChooser:
-    workspace.ask_label()
+    workspace.naming.ask_label()
     (chooser,) = [each for each in workspace.findChildren(LabelChooser) if each.isVisible()]
     return chooser
 
@@ -410,10 +410,10 @@ def test_a_new_label_is_not_offered_where_it_would_be_refused(
 def test_the_proposals_have_the_keyboard_when_they_come(
     workspace: Workspace, window: MainWindow, labelling: Labelling, qtbot: QtBot
 ) -> None:
-    pane = workspace.labels
+    pane = workspace.naming.pane
     workspace.show_pane(pane)
     qtbot.waitUntil(lambda: pane.isAncestorOf(window.focusWidget()))
-    workspace.label_search._take(labelling, workspace.label_search._now())
+    workspace.naming.search._take(labelling, workspace.naming.search._now())
     assert window.focusWidget() is pane.table
 
 
@@ -429,7 +429,7 @@ def test_a_stretch_goes_to_the_point_of_its_label(
     view.select((point,))
     view.set_frame(frame)
     view.set_span((frame, frame + 5))
-    workspace.hand_labels.this_is(document.names[home])
+    workspace.naming.by_hand.this_is(document.names[home])
     after = document.base.points[:, [point, home]]
     inside = slice(frame, frame + 5)
     assert np.array_equal(after[inside], before[inside, ::-1], equal_nan=True)
@@ -444,12 +444,12 @@ def test_what_cannot_be_labelled_by_hand_is_said(workspace: Workspace, qtbot: Qt
     home = next(k for k, name in enumerate(document.names) if not name.startswith("*"))
     view.select(())
     with qtbot.waitSignal(workspace.message):
-        workspace.ask_label()
+        workspace.naming.ask_label()
     view.select((home,))
     view.set_frame(int(np.flatnonzero(document.base.present[:, home])[0]))
     for wrong in (document.names[home], "Nobody", " "):
         with qtbot.waitSignal(workspace.message):
-            workspace.hand_labels.this_is(wrong)
+            workspace.naming.by_hand.this_is(wrong)
     assert not document.undo_stack.count()
 
 
@@ -469,7 +469,7 @@ def test_the_next_point_without_a_label_is_gone_to(
 def test_an_applied_labelling_is_exported(
     workspace: Workspace, window: MainWindow, review: LabelReview, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    workspace.labels.apply()
+    workspace.naming.pane.apply()
     out = tmp_path / "labelled.c3d"
     window.files.export(out)
     qtbot.waitUntil(lambda: workspace.saved)

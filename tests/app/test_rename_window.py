@@ -119,8 +119,8 @@ def test_all_views_have_the_new_name_at_once(workspace: Workspace, qtbot: QtBot)
     other = second.marker
     for labelled in (workspace.report, workspace.plan):
         workspace.show_pane(labelled)
-    workspace.renaming.rename(marker, "Novel")
-    workspace.renaming.rename(other, "Fresh")
+    workspace.naming.renaming.rename(marker, "Novel")
+    workspace.naming.renaming.rename(other, "Fresh")
     view.select((other, marker))
     assert {"Novel", "Fresh"} <= names_in(workspace.markers.table.model())
     assert "Novel" in names_in(workspace.repairs.table.model())
@@ -160,7 +160,7 @@ def test_chosen_donors_go_on_to_be_the_same_markers(workspace: Workspace, qtbot:
     field.set_selection(donors)
     field.take.click()
     assert repair.method().params.donors == donors
-    workspace.renaming.rename(10, "Donor")
+    workspace.naming.renaming.rename(10, "Donor")
     assert repair.method().params.donors == (document.labels[10], donors[1])
     field = repair.findChild(NamesEdit)
     assert field is not None
@@ -177,7 +177,7 @@ def test_repairs_name_their_donors_as_they_are_called_now(workspace: Workspace) 
     workspace.do(EditSamples(document, Edit.fills(result, "pattern", params), "fill"))
     (donor, *_) = document.repairs[gap].donors
     at = document.labels.index(donor)
-    workspace.renaming.rename(at, "Donor")
+    workspace.naming.renaming.rename(at, "Donor")
     assert document.labels[at] in document.repairs[gap].donors
     assert donor not in document.repairs[gap].donors
     document.undo_stack.undo()
@@ -203,7 +203,7 @@ def test_repairs_of_the_file_stay_those_of_the_file(
     again.push([Edit.clear(gap)], "clear")
     assert not document.is_earlier(gap)
     document.undo_stack.undo()
-    again.renaming.rename(at, "Donor")
+    again.naming.renaming.rename(at, "Donor")
     assert document.is_earlier(gap)
     assert document.labels[at] in document.repairs[gap].donors
     document.undo_stack.undo()
@@ -224,7 +224,7 @@ def test_points_without_a_label_are_counted_and_told_about(
     assert markers.nameless.text() == f"{nameless} points without a label"
     assert f"{nameless} of {len(document.labels)} points have no label." in window.notes.toolTip()
     point = next(k for k, label in enumerate(document.labels) if label.startswith("*"))
-    window.workspace.renaming.rename(point, "Heel")
+    window.workspace.naming.renaming.rename(point, "Heel")
     assert markers.nameless.text() == f"{nameless - 1} points without a label"
     assert f"{nameless - 1} of" in window.notes.toolTip()
 
@@ -235,7 +235,7 @@ def test_bones_are_looked_for_again(workspace: Workspace, qtbot: QtBot) -> None:
     before = document.skeleton
     marker = before.bones[0][0]
     with qtbot.waitSignal(document.skeleton_changed):
-        workspace.renaming.rename(marker, "Nobody knows")
+        workspace.naming.renaming.rename(marker, "Nobody knows")
     assert all(marker not in bone for bone in document.skeleton.bones), "the template lacks it"
     with qtbot.waitSignal(document.skeleton_changed):
         document.undo_stack.undo()
@@ -245,7 +245,7 @@ def test_bones_are_looked_for_again(workspace: Workspace, qtbot: QtBot) -> None:
 def test_a_renamed_recording_is_exported_and_recovered(
     workspace: Workspace, window: MainWindow, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    workspace.renaming.rename(5, "Novel")
+    workspace.naming.renaming.rename(5, "Novel")
     out = tmp_path / "out.c3d"
     window.files.export(out)
     qtbot.waitUntil(lambda: workspace.saved)

@@ -112,7 +112,7 @@ def test_the_preview_is_drawn_over_the_measured_curve(workspace: Workspace, qtbo
 def test_another_name_is_seen_in_the_pane(workspace: Workspace, qtbot: QtBot) -> None:
     looked(workspace, qtbot)
     assert workspace.view.marker is not None
-    workspace.renaming.rename(workspace.view.marker, "Hip")
+    workspace.naming.renaming.rename(workspace.view.marker, "Hip")
     table = workspace.smooth.table
     names = [table.item(row, 0).text() for row in range(table.rowCount())]
     assert "Hip" in names

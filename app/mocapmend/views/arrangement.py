@@ -42,7 +42,7 @@ def arrange(workspace: "Workspace") -> None:
             ("repairs", translate("Panes", "Repairs"), workspace.repairs),
             ("report", translate("Panes", "Report"), workspace.report),
             ("history", translate("Panes", "History"), workspace.history),
-            ("labels", translate("Panes", "Labels"), workspace.labels),
+            ("labels", translate("Panes", "Labels"), workspace.naming.pane),
         ):
             bottom.append(workspace.dock(name, title, content, BOTTOM))
         smooth = workspace.dock("smooth", translate("Panes", "Smooth"), workspace.smooth, RIGHT)

@@ -1,7 +1,6 @@
 """Everything that shows one document: the views around it, and what the user does to it."""
 
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,12 +26,8 @@ from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
 from mocapmend.views.gap_actions import GapActions
-from mocapmend.views.hand_label_actions import HandLabelActions
 from mocapmend.views.history_pane import HistoryPane
-from mocapmend.views.label_chooser import LabelChooser
-from mocapmend.views.label_dialog import LabelDialog
-from mocapmend.views.label_pane import LabelPane
-from mocapmend.views.label_search import LabelSearch
+from mocapmend.views.marker_naming import MarkerNaming
 from mocapmend.views.marker_table import MarkerTable
 from mocapmend.views.paned_window import PanedWindow
 from mocapmend.views.plan_pane import PlanPane
@@ -42,7 +37,6 @@ from mocapmend.views.previewer import Previewer
 from mocapmend.views.proofs import Proofs
 from mocapmend.views.queue_pane import QueuePane
 from mocapmend.views.reason_dialog import ReasonDialog
-from mocapmend.views.renaming_actions import RenamingActions
 from mocapmend.views.repair_panel import RepairPanel
 from mocapmend.views.repair_table import RepairTable
 from mocapmend.views.report_facts import ReportFacts
@@ -133,7 +127,22 @@ class Workspace(PanedWindow):
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
         self.proofs = Proofs(document, self.facts, self.report, self)
-        self._make_labels(jobs, settings, theme, actions)
+        self.naming = MarkerNaming(
+            document,
+            self.view,
+            self.search,
+            self.filling,
+            self.do,
+            jobs,
+            settings,
+            theme,
+            actions,
+            self,
+        )
+        self.markers.renamed.connect(self.naming.renaming.rename)
+        self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
+        self.naming.message.connect(self.message)
+        self.naming.failed.connect(self.failed)
         source = document.source
         self.analog: AnalogPane | None = None
         if isinstance(source, C3DFile) and source.analog_labels and original.frames:
@@ -220,14 +229,14 @@ class Workspace(PanedWindow):
             part.set_theme(theme)
         if self.analog is not None:
             self.analog.set_theme(theme)
-        self.labels.set_theme(theme)
+        self.naming.pane.set_theme(theme)
         self.titles.set_theme(theme)
 
     def stop(self) -> None:
         """End what goes on by itself: the document is going away."""
         self._begin_timer.stop()
         self.bones.stop()
-        self.label_search.stop()
+        self.naming.search.stop()
         self.player.pause()
         self.previewer.stop()
         self.survey.stop()
@@ -392,32 +401,6 @@ class Workspace(PanedWindow):
 
     # --- labels ------------------------------------------------------------------------------
 
-    def _make_labels(
-        self, jobs: Jobs, settings: Settings, theme: Theme, actions: dict[str, QAction]
-    ) -> None:
-        """Make what renames and labels."""
-        document, view, do = self.document, self.view, self.do
-        self.renaming = RenamingActions(document, view, do, self)
-        self.hand_labels = HandLabelActions(document, view, self.filling, do, self)
-        self.label_search = LabelSearch(document, jobs, settings, self)
-        unsure = self.search.suspects.labels
-        self.labels = LabelPane(
-            document, view, self.label_search, unsure, self.filling, do, theme, actions
-        )
-        for told in (self.label_search.changed, self.label_search.decided):
-            told.connect(self._list_labels)
-        self.search.decided.connect(self.label_search.decided)
-        self.markers.renamed.connect(self.renaming.rename)
-        self.markers.offer([actions[name] for name in ("rename", "this_is", "exchange_names")])
-        self.label_search.failed.connect(self.failed)
-        for part in (self.renaming, self.hand_labels, self.label_search, self.labels):
-            part.message.connect(self.message)
-
-    def _list_labels(self) -> None:
-        """List unsure labels in the queue while they are for the recording as it is."""
-        labels = self.label_search
-        self.search.show_labels(labels.review if labels.up_to_date else None)
-
     def rename(self) -> None:
         """Let the user type another name for the current marker."""
         marker = self.view.marker
@@ -426,31 +409,6 @@ class Workspace(PanedWindow):
         elif self.raise_pane(self.markers):
             # Later: what was behind another pane is enabled when it is seen.
             QTimer.singleShot(0, self.markers, lambda: self.markers.edit_name(marker))
-
-    def ask_label(self) -> None:
-        """Ask which marker the current one is; nothing waits for the answer."""
-        choices, marker = self.hand_labels.choices(), self.view.marker
-        if choices is None or marker is None:
-            return
-        names, take = self.document.names, self.hand_labels.this_is
-        free, taken = ([names[other] for other in some] for some in choices)
-        review = self.label_search.review
-        unused = [label for label in (review.labels if review else ()) if label not in names]
-        new = self.hand_labels.may_be_new(marker)
-        LabelChooser(names[marker], free, taken, unused, new=new, take=take, parent=self).open()
-
-    def ask_labels(self) -> None:
-        """Ask which recordings labels are to be learned from; nothing waits for the answer."""
-        if self.label_search.job is not None:
-            self.message.emit(self.tr("Labels are being looked for already."))
-            return
-        dialog = LabelDialog(self._settings, self)
-        dialog.chosen.connect(self._search_labels)
-        dialog.open()
-
-    def _search_labels(self, paths: list[Path], keep_names: bool) -> None:  # noqa: FBT001 - a slot
-        self.label_search.start(paths, keep_names=keep_names)
-        self.show_pane(self.labels)
 
     # --- time --------------------------------------------------------------------------------
 

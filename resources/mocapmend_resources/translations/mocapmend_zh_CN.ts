@@ -1689,6 +1689,13 @@
     </message>
 </context>
 <context>
+    <name>MarkerNaming</name>
+    <message>
+        <source>Labels are being looked for already.</source>
+        <translation>已在查找标签。</translation>
+    </message>
+</context>
+<context>
     <name>MarkerReportModel</name>
     <message>
         <source>Marker</source>
@@ -6768,10 +6775,6 @@ It holds {0}.</source>
     <message>
         <source>Select a marker first.</source>
         <translation>请先选择一个标记点。</translation>
-    </message>
-    <message>
-        <source>Labels are being looked for already.</source>
-        <translation>已在查找标签。</translation>
     </message>
 </context>
 </TS>
