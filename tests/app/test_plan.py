@@ -65,7 +65,7 @@ def test_the_dry_run_says_what_filling_does(opened: MainWindow, qtbot: QtBot) ->
     document = workspace.document
     assert document.undo_stack.count() == 0
     assert texts(workspace, 4) == ["✔ filled"] * 3
-    assert "3 gaps (55 samples) would be filled, 0 would stay open" in workspace.plan.summary.text()
+    assert "3 would be filled (samples: 55), 0 would stay open" in workspace.plan.summary.text()
     errors = [float(text.removesuffix(" mm")) for text in texts(workspace, 3)]
     limit = sorted(errors)[1] + 0.05
     workspace.repair.limits._max_error.setValue(limit)

@@ -195,7 +195,7 @@ class PlanPane(QWidget):
         self.model.show(planned, unknown, self._shown.currentData())
         samples = sum(patch.gap.length for patch in planned.patches)
         text = self.tr(
-            "By {0}: {1} gaps ({2} samples) would be filled, {3} would stay open."
+            "Gaps, by {0}: {1} would be filled (samples: {2}), {3} would stay open."
         ).format(method_name(way.method), len(planned.patches), samples, len(planned.unfilled))
         if unknown:
             text += " " + self.tr("{0} are not computed yet.").format(len(unknown))

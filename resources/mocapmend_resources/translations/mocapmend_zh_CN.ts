@@ -2824,7 +2824,7 @@ It holds {0}.</source>
         <translation>不填补的</translation>
     </message>
     <message>
-        <source>By {0}: {1} gaps ({2} samples) would be filled, {3} would stay open.</source>
+        <source>Gaps, by {0}: {1} would be filled (samples: {2}), {3} would stay open.</source>
         <translation>用“{0}”：将填补 {1} 个缺失段（{2} 个采样），{3} 个不填补。</translation>
     </message>
     <message>
