@@ -14,7 +14,7 @@ from mocapmend.relabelling import LEFT_OVER
 from mocapmend.state import OPEN, SampleState
 from mocapmend.unsure_labels import UNSURE, UnsureLabels
 from mocapmend_algorithms import Gap
-from mocapmend_algorithms.corrections import Move
+from mocapmend_algorithms.corrections import Exchange, Move
 from mocapmend_algorithms.gaps import overlap
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.problems.registry import DETECTORS
@@ -232,6 +232,12 @@ def markers_of(run: BadRun) -> tuple[int, ...]:
     if run.other is None or DETECTORS[run.kind].remedy != "exchange":
         return (run.marker,)
     return run.marker, run.other
+
+
+def exchange_of(run: BadRun) -> Exchange | None:
+    """Return what puts a run right; None where it is not to be exchanged."""
+    pair = markers_of(run)
+    return Exchange(pair[0], pair[1], run.start, run.stop) if len(pair) > 1 else None
 
 
 def place_of(run: BadRun) -> Gap:

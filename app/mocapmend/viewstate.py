@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from mocapmend.prospects import Preview
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.smooth.contract import SmoothedRun
 
@@ -29,6 +30,7 @@ class ViewState(QObject):
     selection_changed = Signal(tuple)
     gap_changed = Signal(object)
     suspect_changed = Signal(object)
+    exchange_changed = Signal(object)
     preview_changed = Signal(object)
     smoothing_changed = Signal(tuple)
     range_changed = Signal(float, float)
@@ -41,6 +43,8 @@ class ViewState(QObject):
         self.selection: tuple[int, ...] = ()
         self.gap: Gap | None = None
         self.suspect: BadRun | None = None
+        self.exchange: Exchange | None = None
+        """What is shown as it would be, before the user does it."""
         self.preview: Preview | None = None
         self.smoothing: tuple[SmoothedRun, ...] = ()
         self.candidates: tuple[tuple[int, Preview], ...] = ()
@@ -67,6 +71,7 @@ class ViewState(QObject):
         if markers != self.selection:
             self.selection = markers
             self.selection_changed.emit(markers)
+            self.set_exchange(None)
             # Nobody shall repair a gap of a marker that is out of sight.
             if self.gap is not None and self.gap.marker not in markers:
                 self.set_gap(None)
@@ -95,6 +100,12 @@ class ViewState(QObject):
             self.suspect_changed.emit(run)
         if run is not None:
             self.set_gap(None)
+
+    def set_exchange(self, exchange: Exchange | None) -> None:
+        """Show two markers as they would be after an exchange, or no more."""
+        if exchange != self.exchange:
+            self.exchange = exchange
+            self.exchange_changed.emit(exchange)
 
     def go_to_suspect(self, run: BadRun) -> None:
         """Show bad samples as `go_to` shows a gap; of a swap both markers are selected."""

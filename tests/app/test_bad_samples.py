@@ -19,6 +19,7 @@ from mocapmend.views.main_window import MainWindow
 from mocapmend.views.queue_texts import GLYPHS, Column
 from mocapmend.views.workspace import Workspace
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.fill.limits import Limits
 from mocapmend_algorithms.problems import BadRun
 
@@ -541,12 +542,44 @@ class TestByHand:
         view.select((5, HOLE.marker))
         view.set_span((HOLE.start - 5, HOLE.stop + 5))
         qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
+        assert view.exchange == Exchange(5, HOLE.marker, HOLE.start - 5, HOLE.stop + 5)
+        assert told[-1].startswith("Dashed lines show how it would be")
+        assert not document.undo_stack.count(), "it is shown first"
+        qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
+        assert view.exchange is None
         rows, pair = slice(HOLE.start - 5, HOLE.stop + 5), [5, HOLE.marker]
         np.testing.assert_array_equal(document.points[rows, pair], before[rows, pair[::-1]])
         assert Gap(5, HOLE.start, HOLE.stop) in document.gaps, "the gap goes with it"
         assert document.gaps_of(HOLE.marker) == []
         document.undo_stack.undo()
         np.testing.assert_array_equal(document.points, before)
+
+    def test_what_is_shown_of_an_exchange_goes_with_what_it_was_for(
+        self, searched: MainWindow, qtbot: QtBot
+    ) -> None:
+        workspace = workspace_of(searched)
+        document, view = workspace.document, workspace.view
+        plots, scene = workspace.trajectories, workspace.scene
+        view.select((5, 6))
+        view.set_span((300, 320))
+        view.frame_span(300, 320)
+        view.set_frame(310)
+        seen = plots.grab().toImage(), scene.grab().toImage()
+        qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
+        assert plots.grab().toImage() != seen[0]
+        assert scene.grab().toImage() != seen[1]
+        # For other frames it is shown anew, not done.
+        view.set_span((300, 330))
+        qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
+        assert view.exchange == Exchange(5, 6, 300, 330)
+        view.select((6,))
+        assert view.exchange is None
+        view.select((5, 6))
+        qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
+        assert view.exchange is not None
+        workspace.bad_actions.set_aside()
+        assert view.exchange is None
+        assert document.layers.origins is None
 
     def test_without_one_it_is_from_the_playhead_to_the_next_end(
         self, searched: MainWindow, told: list[str], qtbot: QtBot
@@ -557,12 +590,14 @@ class TestByHand:
         view.select((5, HOLE.marker))
         view.set_frame(HOLE.start - 30)
         qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
+        qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
         changed = np.flatnonzero((document.points[:, 5] != before[:, 5]).any(axis=1))
         assert (changed[0], changed[-1]) == (HOLE.start - 30, HOLE.start - 1)
         assert told[-1] == f"Exchanged in 30 frames, from frame {HOLE.start - 29} on."
         document.undo_stack.undo()
         view.select((5, 6))
         view.set_frame(300)
+        qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
         qtbot.keyClick(searched, Qt.Key.Key_E, CTRL)
         np.testing.assert_array_equal(document.points[300:, 5], before[300:, 6])
         np.testing.assert_array_equal(document.points[:300], before[:300])

@@ -49,6 +49,7 @@ def correct(workspace: Workspace) -> None:
     workspace.search.start()
     workspace.view.select((3, 4))
     workspace.bad_actions.exchange()
+    workspace.bad_actions.exchange()
     workspace.bad_actions.set_aside()
     workspace.bad_actions.fix_then(("spikes",), workspace.fill_all)
     workspace.document.undo_stack.setClean()

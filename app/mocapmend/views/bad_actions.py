@@ -66,6 +66,7 @@ class BadActions(QObject):
         self._jobs = jobs
         self._job: Job | None = None
         self._do = do
+        document.base_changed.connect(self._forget_exchange)
         search.changed.connect(self._keep_up)
         search.done.connect(self._tell_found)
 
@@ -207,7 +208,10 @@ class BadActions(QObject):
         self.message.emit(self.tr("Samples believed again: {0}.").format(count))
 
     def exchange(self) -> None:
-        """Exchange the two selected markers in the selected time, or from the playhead on."""
+        """Show how the two selected markers would be exchanged; asked again, exchange them.
+
+        That is in the selected time, or from the playhead on.
+        """
         if len(self._view.selection) != 2:
             self.message.emit(
                 self.tr("Select the two markers to be exchanged (Ctrl+click adds one).")
@@ -218,6 +222,13 @@ class BadActions(QObject):
         if wanted is None:
             self.message.emit(self.tr("Neither of the two markers is seen here."))
             return
+        if wanted != self._view.exchange:
+            self._view.set_exchange(wanted)
+            self.message.emit(
+                self.tr("Dashed lines show how it would be: Ctrl+E again exchanges the two.")
+            )
+            return
+        self._view.set_exchange(None)
         made = step(self._document, exchanges=[wanted])
         self._make(made, f"exchange {self._names_of((first, second))}")
         self.message.emit(
@@ -289,6 +300,10 @@ class BadActions(QObject):
         run = self._view.suspect
         if run is not None and self._search.suspects.status(run) is None:
             self._view.set_suspect(None)
+
+    def _forget_exchange(self) -> None:
+        """Show no more how it would be: the samples are others now."""
+        self._view.set_exchange(None)
 
     def _tell_found(self, count: int) -> None:
         told = self.tr("Bad samples found: {0}; they are in the queue.")

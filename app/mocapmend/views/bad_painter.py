@@ -9,12 +9,13 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from mocapmend.document import Document
 from mocapmend.state import SampleState
-from mocapmend.suspects import markers_of, place_of
+from mocapmend.suspects import exchange_of, place_of
 from mocapmend.theme import Theme
 from mocapmend.views.columns import Floats
 from mocapmend.views.lane import Frame, paint_line
 from mocapmend.views.quantities import Curve, Quantity, Series
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.problems import BadRun
 
 MOST_FRAMES = 20_000
@@ -74,22 +75,27 @@ class BadPainter:
         bad = self._document.state[run.start : run.stop, run.marker] == SampleState.BAD
         return [self._document.stored(place_of(run))[bad, quantity.row]]
 
+    def exchange_of(self, run: BadRun | None) -> Exchange | None:
+        """Return what would put a run right that was found; None where that is no exchange."""
+        listed = run is not None and any(run in runs for runs in self.suspects.values())
+        return exchange_of(run) if run and listed else None
+
     def paint_exchange(
         self,
         painter: QPainter,
         frame: Frame,
         quantity: Quantity,
         curves: Sequence[Curve],
-        run: BadRun,
+        exchange: Exchange,
     ) -> None:
         """Paint the trajectories of two markers as they would be after an exchange: dashed."""
-        pair = markers_of(run)
-        listed = any(run in self.suspects.get(marker, ()) for marker in pair)
-        if quantity.kind != "position" or len(pair) < 2 or not listed:
+        if quantity.kind != "position":
             return
-        start, stop = max(0, run.start - 1), min(self._document.original.frames, run.stop + 1)
+        pair = exchange.first, exchange.second
+        start = max(0, exchange.start - 1)
+        stop = min(self._document.original.frames, exchange.stop + 1)
         rows = np.arange(start, stop, dtype=np.float64)
-        inside = (rows >= run.start) & (rows < run.stop)
+        inside = (rows >= exchange.start) & (rows < exchange.stop)
         for marker, other in (pair, pair[::-1]):
             curve = next((curve for curve in curves if curve.marker == marker), None)
             if curve is None:

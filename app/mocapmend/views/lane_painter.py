@@ -27,6 +27,7 @@ from mocapmend.views.lane import (
 from mocapmend.views.quantities import Curve, Quantity, Series
 from mocapmend.viewstate import Preview
 from mocapmend_algorithms import Gap
+from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.problems import BadRun
 from mocapmend_algorithms.smooth.contract import SmoothedRun
 
@@ -104,13 +105,14 @@ class LanePainter:
         others: Candidates = (),
         *,
         suspect: BadRun | None = None,
+        exchange: Exchange | None = None,
         smoothing: Sequence[SmoothedRun] = (),
         same_scale: bool = False,
     ) -> list[Frame]:
         """Paint lanes and return the frames that they were painted in.
 
-        Other candidates are drawn behind the preview, each with its number, as far as they fit. Of
-        a suspect that is to be exchanged it is drawn how it would be; set aside, it is in view.
+        Other candidates are drawn behind the preview, each with its number, as far as they fit. A
+        suspect that is set aside is in view; what is to be exchanged is drawn as it would be.
         Runs that are not smoothed yet are drawn as they would be, over what they are.
         With the same scale for x, y and z their units are equally high in all lanes.
         """
@@ -126,7 +128,7 @@ class LanePainter:
         for (lane, rect), span in zip(lanes, spans, strict=True):
             frame = Frame(rect, *visible, *span)
             frames.append(frame)
-            self._paint_lane(painter, frame, lane, preview, others, suspect)
+            self._paint_lane(painter, frame, lane, preview, others, exchange)
             self._paint_smoothing(painter, frame, lane, smoothing)
         return frames
 
@@ -154,7 +156,7 @@ class LanePainter:
         lane: Lane,
         preview: Preview | None,
         others: Candidates,
-        suspect: BadRun | None,
+        exchange: Exchange | None,
     ) -> None:
         rect, quantity = frame.rect, lane.quantity
         message = self._message(lane)
@@ -173,8 +175,8 @@ class LanePainter:
             paint_line(painter, frame, *self.series.line(quantity, curve, visible, width), pen)
             self._paint_fills(painter, frame, quantity, curve)
             self.bad.paint(painter, frame, quantity, curve, self.theme)
-        if suspect is not None:
-            self.bad.paint_exchange(painter, frame, quantity, lane.curves, suspect)
+        if exchange is not None:
+            self.bad.paint_exchange(painter, frame, quantity, lane.curves, exchange)
         for number, other in others:
             self._paint_candidate(painter, frame, lane, number, other)
         self._paint_preview(painter, frame, lane, preview)

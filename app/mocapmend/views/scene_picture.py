@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from mocapmend.document import Document
-from mocapmend.suspects import markers_of
+from mocapmend.suspects import exchange_of, markers_of
 from mocapmend.theme import Theme
 from mocapmend.views.body_path import BodyPath
 from mocapmend.views.camera import Camera, upright
@@ -36,6 +36,7 @@ from mocapmend.views.painters.shot import Shot
 from mocapmend.views.painters.texts import paint_captions, paint_labels
 from mocapmend.views.painters.trails import paint_trails
 from mocapmend.viewstate import ViewState
+from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.problems import BadRun
 
 Array = NDArray[np.float64]
@@ -93,6 +94,7 @@ class ScenePicture(QWidget):
             view.selection_changed,
             view.preview_changed,
             view.suspect_changed,
+            view.exchange_changed,
             view.candidates_changed,
             view.picking_changed,
             document.samples_changed,
@@ -226,6 +228,12 @@ class ScenePicture(QWidget):
         pixel = shot.project(preview.patch.values[frame - gap.start][None])[0]
         return (gap.marker, pixel) if np.isfinite(pixel).all() else None
 
+    def _exchange(self) -> Exchange | None:
+        """Return what is shown as it would be: what the user is about to do, or what was found."""
+        run = self._view.suspect
+        listed = run is not None and run in self._suspects
+        return self._view.exchange or (exchange_of(run) if run and listed else None)
+
     def _paint_ghost(self, shot: Shot, ghost: tuple[int, Array] | None) -> None:
         """Paint the previewed repair: its trail, its sticks and the marker as a diamond."""
         preview = self._view.preview
@@ -234,8 +242,9 @@ class ScenePicture(QWidget):
             pixels = shot.project(patch.values)
             shot.pen(self._theme.preview, 1.5)
             shot.painter.drawPath(arrayToQPath(pixels[:, 0], pixels[:, 1], connect="finite"))
-        if self._view.suspect in self._suspects:
-            paint_exchange(shot, self._view.suspect, self._bones)
+        exchange = self._exchange()
+        if exchange is not None:
+            paint_exchange(shot, exchange, self._bones)
         paint_candidates(shot, self._view.others)
         paint_donors(shot, preview)
         if ghost is None:

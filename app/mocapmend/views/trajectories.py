@@ -62,6 +62,7 @@ class Trajectories(PlotCanvas):
         view.selection_changed.connect(self.repaint_plots)
         view.gap_changed.connect(self.update)
         view.suspect_changed.connect(self.repaint_plots)
+        view.exchange_changed.connect(self.repaint_plots)
         view.preview_changed.connect(self.repaint_plots)
         view.candidates_changed.connect(self.repaint_plots)
         view.smoothing_changed.connect(self.repaint_plots)
@@ -165,6 +166,7 @@ class Trajectories(PlotCanvas):
             self._view.preview,
             self._view.others,
             suspect=self._view.suspect,
+            exchange=self._view.exchange or self._painter.bad.exchange_of(self._view.suspect),
             smoothing=self._view.smoothing,
             same_scale=self._same_scale,
         )

@@ -689,6 +689,10 @@
         <translation>此处两个标记点都不可见。</translation>
     </message>
     <message>
+        <source>Dashed lines show how it would be: Ctrl+E again exchanges the two.</source>
+        <translation>虚线表示互换后的样子：再按一次 Ctrl+E 即互换二者。</translation>
+    </message>
+    <message>
         <source>Exchanged in {0} frames, from frame {1} on.</source>
         <translation>已互换 {0} 帧，从第 {1} 帧起。</translation>
     </message>

@@ -5,33 +5,30 @@ from numpy.typing import NDArray
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import Qt
 
-from mocapmend.suspects import markers_of
 from mocapmend.views.painters.shot import Shot
-from mocapmend_algorithms.problems import BadRun
+from mocapmend_algorithms.corrections import Exchange
 
 MOST_CORNERS = 2000
 """Of a trail: with more, frames are left out."""
 
 
-def paint_exchange(shot: Shot, run: BadRun | None, bones: NDArray[np.intp]) -> None:
+def paint_exchange(shot: Shot, exchange: Exchange, bones: NDArray[np.intp]) -> None:
     """Paint the trails of both markers and, where the frame is inside, their sticks: dashed.
 
     Parameters
     ----------
     shot : Shot
         The frame.
-    run : BadRun or None
-        What would be exchanged; nothing is painted where it would be set aside.
+    exchange : Exchange
+        What would be done.
     bones : ndarray, shape (bones, 2)
         Markers that sticks join.
     """
-    pair = () if run is None else markers_of(run)
-    if run is None or len(pair) < 2:
-        return
+    pair = exchange.first, exchange.second
     points, style = shot.document.points, Qt.PenStyle.DashLine
-    first, last = max(0, run.start - 1), min(len(points), run.stop + 1)
+    first, last = max(0, exchange.start - 1), min(len(points), exchange.stop + 1)
     frames = np.arange(first, last, max(1, (last - first) // MOST_CORNERS))
-    inside = (frames >= run.start) & (frames < run.stop)
+    inside = (frames >= exchange.start) & (frames < exchange.stop)
     for marker, other in (pair, pair[::-1]):
         trail = np.where(inside[:, None], points[frames, other], points[frames, marker])
         x, y = shot.project(trail).T
@@ -39,7 +36,7 @@ def paint_exchange(shot: Shot, run: BadRun | None, bones: NDArray[np.intp]) -> N
         order = selection.index(marker) if marker in selection else 0
         shot.pen(shot.curve_colour(order), 1.5, style)
         shot.painter.drawPath(arrayToQPath(x, y, connect="finite"))
-    if run.start <= shot.view.frame < run.stop:
+    if exchange.start <= shot.view.frame < exchange.stop:
         exchanged = shot.pixels.copy()
         exchanged[list(pair)] = shot.pixels[list(pair[::-1])]
         touching = bones[np.isin(bones, pair).any(axis=1)]
