@@ -168,6 +168,19 @@ def test_segments_can_be_counted(workspace: Workspace, qtbot: QtBot) -> None:
         assert styles == [Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine]
 
 
+def test_what_was_there_but_wrong_is_counted(workspace: Workspace, qtbot: QtBot) -> None:
+    document, pane = workspace.document, workspace.report
+    page, before = pane.pages.tracking, pane.report
+    assert before is not None
+    assert "wrong" not in page._key.text()
+    seen = int(document.original.present.all(axis=0).argmax())
+    workspace.view.select((seen,))
+    workspace.view.set_span((10, 17))
+    workspace.bad_actions.set_aside()
+    qtbot.waitUntil(lambda: pane.report is not before and pane.up_to_date, timeout=20_000)
+    assert "Samples that were there but wrong: 7" in page._key.text()
+
+
 def test_a_stale_report_is_dropped(workspace: Workspace, qtbot: QtBot) -> None:
     pane: ReportPane = workspace.report
     before = pane.report

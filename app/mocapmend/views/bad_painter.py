@@ -77,8 +77,9 @@ class BadPainter:
 
     def exchange_of(self, run: BadRun | None) -> Exchange | None:
         """Return what would put a run right that was found; None where that is no exchange."""
-        listed = run is not None and any(run in runs for runs in self.suspects.values())
-        return exchange_of(run) if run and listed else None
+        if run is None or run not in self.suspects.get(run.marker, ()):
+            return None
+        return exchange_of(run)
 
     def paint_exchange(
         self,

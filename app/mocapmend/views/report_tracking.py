@@ -103,5 +103,12 @@ class TrackingPage(QWidget):
             f'<span style="color:{self._theme.state_colour(SampleState.FILLED)}">━━</span> '
             + self.tr("after (solid)"),
             *ends,
+            *self._wrong(report),
         )
         self._key.setText("<br>".join(lines))
+
+    def _wrong(self, report: Report) -> list[str]:
+        """Say how many samples do not count as tracked before, though they were there."""
+        if not report.wrong_before:
+            return []
+        return [self.tr("Samples that were there but wrong: {0}").format(report.wrong_before)]

@@ -231,8 +231,8 @@ class ScenePicture(QWidget):
     def _exchange(self) -> Exchange | None:
         """Return what is shown as it would be: what the user is about to do, or what was found."""
         run = self._view.suspect
-        listed = run is not None and run in self._suspects
-        return self._view.exchange or (exchange_of(run) if run and listed else None)
+        found = None if run is None or run not in self._suspects else exchange_of(run)
+        return self._view.exchange or found
 
     def _paint_ghost(self, shot: Shot, ghost: tuple[int, Array] | None) -> None:
         """Paint the previewed repair: its trail, its sticks and the marker as a diamond."""

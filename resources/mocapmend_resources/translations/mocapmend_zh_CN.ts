@@ -6625,6 +6625,10 @@ It holds {0}.</source>
         <source>after (solid)</source>
         <translation>修复后（实线）</translation>
     </message>
+    <message>
+        <source>Samples that were there but wrong: {0}</source>
+        <translation>存在但错误的采样：{0}</translation>
+    </message>
 </context>
 <context>
     <name>TrainingBox</name>
