@@ -148,7 +148,7 @@ class MarkerModel(QAbstractTableModel):
             return self.tr("{0}: never seen in this recording").format(label)
         filled = int(np.diff(self._document.runs(marker, SampleState.FILLED), axis=1).sum())
         longest = max((gap.length for gap in gaps), default=0)
-        tip = self.tr("{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled").format(
+        tip = self.tr("{0}: open gaps {1}, longest {2} frames ({3} ms), {4} samples filled").format(
             label, len(gaps), longest, round(1000.0 * longest / original.rate), filled
         )
         aside = int(np.diff(self._document.runs(marker, SampleState.BAD), axis=1).sum())

@@ -344,7 +344,7 @@ class RepairPanel(QScrollArea):
 
     def _gap_text(self, gap: Gap | None) -> str:
         if gap is None:
-            return self.tr("{0} open gaps").format(len(self._document.fillable))
+            return self.tr("Open gaps: {0}").format(len(self._document.fillable))
         original = self._document.original
         places = {
             "interior": "",

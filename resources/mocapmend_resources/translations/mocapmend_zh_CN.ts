@@ -1676,7 +1676,7 @@
         <translation>{0}：在此记录中从未出现</translation>
     </message>
     <message>
-        <source>{0}: {1} open gaps, longest {2} frames ({3} ms), {4} samples filled</source>
+        <source>{0}: open gaps {1}, longest {2} frames ({3} ms), {4} samples filled</source>
         <translation>{0}：{1} 个未填补的缺失段，最长 {2} 帧 ({3} ms)，已填补 {4} 个采样</translation>
     </message>
     <message>
@@ -3576,7 +3576,7 @@ It holds {0}.</source>
         <translation>保留不填补：{0}</translation>
     </message>
     <message>
-        <source>{0} open gaps</source>
+        <source>Open gaps: {0}</source>
         <translation>{0} 个未填补的缺失段</translation>
     </message>
     <message>
