@@ -147,7 +147,7 @@ def test_the_plan_and_what_comes_of_it_count_them(
     workspace.repair.limits._limit_error.setChecked(False)
     workspace.show_plan()
     summary, model = workspace.plan.summary, workspace.plan.model
-    qtbot.waitUntil(lambda: "2 gaps" in summary.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "2 would be filled" in summary.text(), timeout=20_000)
     assert "1 would stay open" in summary.text()
     listed = {model.gap(row): model.index(row, 4).data() for row in range(model.rowCount())}
     assert listed == {
