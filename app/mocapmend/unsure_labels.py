@@ -31,6 +31,8 @@ class UnsureLabels:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._review: LabelReview | None = None
+        self._runs: list[BadRun] = []
+        """By row of the review."""
         self._row_of: dict[BadRun, int] = {}
 
     def take(self, review: LabelReview | None) -> None:
@@ -38,21 +40,22 @@ class UnsureLabels:
         if review is not self._review:
             self._review = review
             rows = range(0 if review is None else len(review))
-            self._row_of = {} if review is None else {self._run(review, row): row for row in rows}
+            self._runs = [] if review is None else [self._run_of(review, row) for row in rows]
+            self._row_of = {run: row for row, run in enumerate(self._runs)}
 
     def listed(self) -> Iterator[tuple[BadRun, Status]]:
         """Yield the pieces to be looked at, and what the user has said about them."""
-        review = self._review
-        if review is None:
-            return
-        for run, row in self._row_of.items():
-            decision = review.decision(row)
-            if decision is not Decision.NONE or run.score < review.least:
-                yield run, _STATUS[decision]
+        known = ((run, self.status(run)) for run in self._runs)
+        return ((run, status) for run, status in known if status is not None)
 
     def status(self, run: BadRun) -> Status | None:
         """Return what the user has said about a piece; None where it is not listed."""
-        return next((status for listed, status in self.listed() if listed == run), None)
+        review, row = self._review, self.row(run)
+        if review is None or row is None:
+            return None
+        decision = review.decision(row)
+        unsure = decision is not Decision.NONE or run.score < review.least
+        return _STATUS[decision] if unsure else None
 
     def row(self, run: BadRun | None) -> int | None:
         """Return the review's row of a piece."""
@@ -60,23 +63,28 @@ class UnsureLabels:
 
     def run(self, row: int) -> BadRun | None:
         """Return the piece of a row of the review, where it is listed."""
-        return next((run for run, _ in self.listed() if self._row_of[run] == row), None)
+        if self._review is None:
+            return None
+        run = self._runs[row]
+        return None if self.status(run) is None else run
 
     def label(self, run: BadRun) -> str | None:
         """Return what is proposed for a piece by now; None for no marker."""
-        return None if self._review is None else self._review.label(self._row_of[run])
+        review, row = self._review, self.row(run)
+        return None if review is None or row is None else review.label(row)
 
     def decide(self, run: BadRun, decision: Decision) -> None:
         """Note what the user says about a piece."""
-        if self._review is not None:
-            self._review.decide(self._row_of[run], decision)
+        review, row = self._review, self.row(run)
+        if review is not None and row is not None:
+            review.decide(row, decision)
 
     @property
     def left(self) -> int:
         """How many of them nothing was said about."""
         return sum(status is Status.FOUND for _, status in self.listed())
 
-    def _run(self, review: LabelReview, row: int) -> BadRun:
+    def _run_of(self, review: LabelReview, row: int) -> BadRun:
         proposal = review.proposal(row)
         piece = proposal.piece
         off = (1.0 - proposal.confidence) * self._nearest(proposal)

@@ -67,10 +67,11 @@ class MarkerNaming(QObject):
         self.renaming = RenamingActions(document, view, do, self)
         self.by_hand = HandLabelActions(document, view, filling, do, self)
         self.search = LabelSearch(document, jobs, settings, self)
-        unsure = bad_search.suspects.labels
-        self.pane = LabelPane(document, view, self.search, unsure, filling, do, theme, actions)
+        # Before the pane, which asks what is listed.
         for told in (self.search.changed, self.search.decided):
             told.connect(self._list_unsure)
+        unsure = bad_search.suspects.labels
+        self.pane = LabelPane(document, view, self.search, unsure, filling, do, theme, actions)
         bad_search.decided.connect(self.search.decided)
         self.search.failed.connect(self.failed)
         for part in (self.renaming, self.by_hand, self.search, self.pane):
