@@ -164,9 +164,7 @@ class BadActions(QObject):
             return
         runs = [run for run in found if not self._search.suspects.is_dismissed(run)]
         if runs:
-            exchanges, aside = remedies(runs)
-            kinds = exchanged_kinds(runs)
-            made = step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds)
+            made = self._remedy(runs)
             text = f"fix {len(runs)} problems"
             self._do(EditSamples(self._document, made.edits, text, made.correction))
         then()
@@ -274,13 +272,19 @@ class BadActions(QObject):
                 told = self.tr("There is nothing that could be fixed.")
             self.message.emit(told)
             return
-        exchanges, aside = remedies(runs)
-        kinds = exchanged_kinds(runs)
-        self._make(step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds), text)
+        made = self._remedy(runs)
+        self._make(made, text)
         told = self.tr("Problems fixed: {0}. Samples set aside are gaps now, to be filled.")
-        if not aside:
+        if len(made.correction.found_as) == len(runs):
+            # All of them were exchanged.
             told = self.tr("Problems fixed: {0}.")
         self.message.emit(told.format(len(runs)))
+
+    def _remedy(self, runs: Sequence[BadRun]) -> Step:
+        """Return the step that puts bad samples right."""
+        exchanges, aside = remedies(runs)
+        kinds = exchanged_kinds(runs)
+        return step(self._document, exchanges=exchanges, set_aside=aside, found_as=kinds)
 
     def _make(self, made: Step, text: str) -> None:
         self._do(EditSamples(self._document, made.edits, text, made.correction))
