@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from mocapmend.document import Document
 from mocapmend.state import SampleState
-from mocapmend.suspects import exchange_of, place_of
+from mocapmend.suspects import place_of
 from mocapmend.theme import Theme
 from mocapmend.views.columns import Floats
 from mocapmend.views.lane import Frame, paint_line
@@ -74,12 +74,6 @@ class BadPainter:
             return []
         bad = self._document.state[run.start : run.stop, run.marker] == SampleState.BAD
         return [self._document.stored(place_of(run))[bad, quantity.row]]
-
-    def exchange_of(self, run: BadRun | None) -> Exchange | None:
-        """Return what would put a run right that was found; None where that is no exchange."""
-        if run is None or run not in self.suspects.get(run.marker, ()):
-            return None
-        return exchange_of(run)
 
     def paint_exchange(
         self,

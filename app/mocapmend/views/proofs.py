@@ -14,12 +14,12 @@ from mocapmend.views.report_pane import ReportPane
 class Proofs(QObject):
     """Shows the proofs of an export in the report, and takes them back at the next edit.
 
+    Its owner calls `show` when the document has become as it was exported, or is so no more.
+
     Attributes
     ----------
     last_export : Path or None
         The file that was written last.
-
-    Its owner calls `show` when the document has become as it was exported, or is so no more.
     """
 
     def __init__(

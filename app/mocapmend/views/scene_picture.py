@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from mocapmend.document import Document
-from mocapmend.suspects import exchange_of, markers_of
+from mocapmend.suspects import markers_of
 from mocapmend.theme import Theme
 from mocapmend.views.body_path import BodyPath
 from mocapmend.views.camera import Camera, upright
@@ -24,7 +24,7 @@ from mocapmend.views.painters.body import (
 )
 from mocapmend.views.painters.candidates import paint_candidates, paint_donors
 from mocapmend.views.painters.edits import edits_text, paint_edits
-from mocapmend.views.painters.exchange import paint_exchange
+from mocapmend.views.painters.exchange import exchange_shown, paint_exchange
 from mocapmend.views.painters.ground import (
     paint_axes,
     paint_force_plates,
@@ -36,7 +36,6 @@ from mocapmend.views.painters.shot import Shot
 from mocapmend.views.painters.texts import paint_captions, paint_labels
 from mocapmend.views.painters.trails import paint_trails
 from mocapmend.viewstate import ViewState
-from mocapmend_algorithms.corrections import Exchange
 from mocapmend_algorithms.problems import BadRun
 
 Array = NDArray[np.float64]
@@ -228,12 +227,6 @@ class ScenePicture(QWidget):
         pixel = shot.project(preview.patch.values[frame - gap.start][None])[0]
         return (gap.marker, pixel) if np.isfinite(pixel).all() else None
 
-    def _exchange(self) -> Exchange | None:
-        """Return what is shown as it would be: what the user is about to do, or what was found."""
-        run = self._view.suspect
-        found = None if run is None or run not in self._suspects else exchange_of(run)
-        return self._view.exchange or found
-
     def _paint_ghost(self, shot: Shot, ghost: tuple[int, Array] | None) -> None:
         """Paint the previewed repair: its trail, its sticks and the marker as a diamond."""
         preview = self._view.preview
@@ -242,7 +235,7 @@ class ScenePicture(QWidget):
             pixels = shot.project(patch.values)
             shot.pen(self._theme.preview, 1.5)
             shot.painter.drawPath(arrayToQPath(pixels[:, 0], pixels[:, 1], connect="finite"))
-        exchange = self._exchange()
+        exchange = exchange_shown(self._view, self._suspects)
         if exchange is not None:
             paint_exchange(shot, exchange, self._bones)
         paint_candidates(shot, self._view.others)

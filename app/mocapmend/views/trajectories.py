@@ -15,6 +15,7 @@ from mocapmend.views.gap_arrows import paint_plot_arrows
 from mocapmend.views.labels import elided
 from mocapmend.views.lane import Frame, paint_on_ground
 from mocapmend.views.lane_painter import Lane, LanePainter
+from mocapmend.views.painters.exchange import exchange_shown
 from mocapmend.views.plot_canvas import PlotCanvas
 from mocapmend.views.quantities import Curve, Quantity
 from mocapmend.views.readout import Readout, Row
@@ -44,6 +45,7 @@ class Trajectories(PlotCanvas):
         super().__init__(view, original.rate, original.first_frame, theme, parent)
         self._document = document
         self._painter = LanePainter(document, theme)
+        self._found: frozenset[BadRun] = frozenset()
         self._quantities: tuple[Quantity, ...] = POSITION
         self._shown: list[Lane] = []
         """The plots of the picture, which may be behind the selection for a moment."""
@@ -75,6 +77,7 @@ class Trajectories(PlotCanvas):
 
     def set_suspects(self, found: Sequence[BadRun]) -> None:
         """Mark measured samples that are held for bad."""
+        self._found = frozenset(found)
         self._painter.bad.suspects = by_marker(found)
         self.repaint_plots()
 
@@ -166,7 +169,7 @@ class Trajectories(PlotCanvas):
             self._view.preview,
             self._view.others,
             suspect=self._view.suspect,
-            exchange=self._view.exchange or self._painter.bad.exchange_of(self._view.suspect),
+            exchange=exchange_shown(self._view, self._found),
             smoothing=self._view.smoothing,
             same_scale=self._same_scale,
         )

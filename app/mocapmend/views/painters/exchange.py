@@ -1,15 +1,34 @@
 """Two markers as they would be if their samples were exchanged."""
 
+from collections.abc import Container
+
 import numpy as np
 from numpy.typing import NDArray
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import Qt
 
+from mocapmend.suspects import exchange_of
 from mocapmend.views.painters.shot import Shot
+from mocapmend.viewstate import ViewState
 from mocapmend_algorithms.corrections import Exchange
+from mocapmend_algorithms.problems import BadRun
 
 MOST_CORNERS = 2000
 """Of a trail: with more, frames are left out."""
+
+
+def exchange_shown(view: ViewState, found: Container[BadRun]) -> Exchange | None:
+    """Return what is shown as it would be: what the user is about to do, or would put right.
+
+    Parameters
+    ----------
+    view : ViewState
+        What the user looks at.
+    found : container of BadRun
+        The problems that are still there: what was exchanged already is shown as it is.
+    """
+    run = view.suspect
+    return view.exchange or (None if run is None or run not in found else exchange_of(run))
 
 
 def paint_exchange(shot: Shot, exchange: Exchange, bones: NDArray[np.intp]) -> None:
