@@ -34,7 +34,7 @@ HEADER = re.compile(
     rb"\{\s*'descr':\s*'([<>|=]?[a-zA-Z]\d{1,9})',\s*'fortran_order':\s*(True|False),"
     rb"\s*'shape':\s*\(((?:\d{1,18},?\s*)*)\),?\s*\}\s*"
 )
-KINDS = "fiuUS"
+KINDS = "bfiuUS"
 
 BROKEN = (
     BadZipFile, LargeZipFile, zlib.error, struct.error, EOFError, ValueError, TypeError,

@@ -80,7 +80,7 @@ class TrainingSet:
         rate : float, optional
             Frames per second (Hz); by default those of the set.
         """
-        turned = self.poses @ _turn(self.up, up).T
+        turned = self.poses @ turn_up(self.up, up).T
         motions = np.split(turned, np.cumsum(self.lengths)[:-1])
         return [_sampled(motion, self.rate, rate or self.rate) for motion in motions]
 
@@ -175,7 +175,7 @@ def gather(
             )
         points = recording.points[:, [own.index(name) for name in common]] * recording.mm
         if recording.up != first.up:
-            points = points @ _turn(recording.up, first.up).T
+            points = points @ turn_up(recording.up, first.up).T
         seen = np.asarray(~np.isnan(points).any(axis=(1, 2)))
         poses += [_sampled(points[a:b], recording.rate, common_rate) for a, b in runs(seen)]
     if not poses:
@@ -326,7 +326,7 @@ def up_vector(up: UpAxis) -> FloatArray:
     return vector
 
 
-def _turn(start: UpAxis, stop: UpAxis) -> FloatArray:
+def turn_up(start: UpAxis, stop: UpAxis) -> FloatArray:
     """Return the smallest rotation that turns one upward axis into another."""
     a, b = up_vector(start), up_vector(stop)
     cosine = float(a @ b)

@@ -24,12 +24,16 @@ COMMANDS = {
     "report": "write a report on a recording that was repaired earlier",
     "replay": "make the edits of a recipe again",
     "convert": "write a recording in another format",
-    "train": "make what methods learn from: train sparse",
+    "refine": "turn the joints of a Kinect into the markers of a motion-capture system",
+    "train": "make what methods learn from: train sparse, train refine",
     "check": "prove that a repaired C3D file differs from its original in repaired samples alone",
     "bench": "measure speed and accuracy: bench io, bench gui, bench gaps, bench problems",
 }
 PARTS = {
-    "train": {"sparse": "gather what the sparse methods learn from"},
+    "train": {
+        "sparse": "gather what the sparse methods learn from",
+        "refine": "train a network that refines recordings of a cheap sensor",
+    },
 }
 """Commands of several parts: each is a module of its own."""
 _HELP = """\

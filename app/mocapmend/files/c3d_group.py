@@ -14,11 +14,13 @@ from mocapmend.files.c3d_section import group_record, integer_record, text_recor
 from mocapmend.files.corrections import KINDS, Corrections
 from mocapmend.files.provenance import FORMAT, Provenance, hashes
 from mocapmend.files.records import Recorded, kept_gaps, line, repair_records
+from mocapmend.files.refinement import refinement
 
 NAME = "MOCAPMEND"
 ABOUT = "Repairs by mocapmend: one JSON object each; points are counted from 1"
 LONGEST_ROW = 255
 PADDING = "PADDING"
+REFINED = "REFINED"
 LEAST_PADDING = len(text_record(1, f"{PADDING}2", [b" "], Processor.INTEL))
 
 
@@ -45,6 +47,8 @@ def encode_group(provenance: Provenance, number: int, processor: Processor) -> b
     ]
     if provenance.kept_open:
         parts += text_records(number, "KEPT_OPEN", _rows(provenance.kept_open), processor)
+    if provenance.refined is not None:
+        parts += text_records(number, REFINED, _rows([provenance.refined]), processor)
     for kind, entries in provenance.corrections.lists():
         parts += text_records(number, kind.upper(), _rows(entries), processor)
     raw = b"".join(parts)
@@ -73,6 +77,7 @@ def decode_group(parameters: Parameters) -> Provenance | None:
         corrections=Corrections.from_lists(
             {kind: _objects(parameters, kind.upper()) for kind in KINDS}
         ),
+        refined=next(map(refinement, _objects(parameters, REFINED)), None),
     )
 
 

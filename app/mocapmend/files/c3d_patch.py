@@ -139,7 +139,12 @@ def _provenance(
     converted = to_float or (former is not None and former.converted)
     ordered = tuple(sorted(entries.repairs, key=lambda record: record.place))
     return Provenance(
-        ordered, (*inputs, NO_HASH), converted, kept_open=kept, corrections=corrections
+        ordered,
+        (*inputs, NO_HASH),
+        converted,
+        kept_open=kept,
+        corrections=corrections,
+        refined=None if former is None else former.refined,
     )
 
 

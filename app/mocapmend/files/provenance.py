@@ -13,6 +13,7 @@ from mocapmend import __version__
 from mocapmend.files.corrections import NO_CORRECTIONS, Corrections
 from mocapmend.files.record_values import LONGEST_TEXT
 from mocapmend.files.records import KeptGap, RepairRecord, kept_gaps, repair_records
+from mocapmend.files.refinement import Refinement, refinement
 
 PROGRAM = f"mocapmend {__version__}"
 FORMAT = 1
@@ -37,6 +38,8 @@ class Provenance:
         Gaps that the user keeps open, ordered as the repairs. They are no repairs.
     corrections : Corrections
         What was put right besides filling gaps.
+    refined : Refinement or None
+        How a network has made the markers, where it has.
     """
 
     repairs: tuple[RepairRecord, ...]
@@ -45,11 +48,13 @@ class Provenance:
     program: str = PROGRAM
     kept_open: tuple[KeptGap, ...] = ()
     corrections: Corrections = NO_CORRECTIONS
+    refined: Refinement | None = None
 
     @property
     def says_nothing(self) -> bool:
         """Whether a file can do without it."""
-        return not (self.repairs or self.converted or self.kept_open or self.corrections)
+        entries = self.repairs or self.kept_open or self.corrections
+        return not (entries or self.converted or self.refined)
 
 
 # --- the sidecar -----------------------------------------------------------------------------
@@ -66,6 +71,8 @@ def encode_sidecar(provenance: Provenance, output_sha256: str) -> bytes:
     }
     if provenance.kept_open:
         head["kept_open"] = [gap.as_json() for gap in provenance.kept_open]
+    if provenance.refined is not None:
+        head["refined"] = provenance.refined.as_json()
     for kind, entries in provenance.corrections.lists():
         head[kind] = [entry.as_json() for entry in entries]
     return encode_document(head, "repairs", [record.as_json() for record in provenance.repairs])
@@ -94,7 +101,8 @@ def decode_sidecar(raw: bytes) -> tuple[Provenance, str]:
     inputs = hashes(data.get("inputs"))
     converted, program = data.get("converted") is True, program_name(data.get("program"))
     corrections = Corrections.from_lists(data)
-    return Provenance(repairs, inputs, converted, program, kept, corrections), output
+    refined = None if "refined" not in data else refinement(data["refined"])
+    return Provenance(repairs, inputs, converted, program, kept, corrections, refined), output
 
 
 def hashes(data: object) -> tuple[str, ...]:

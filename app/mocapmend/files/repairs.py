@@ -45,6 +45,8 @@ def with_repairs(source: AnySource, stated: Provenance | None = None) -> AnySour
         corrections=fixed.corrections,
     )
     warnings += _dropped(provenance, confirmed)
+    if provenance.refined is not None:
+        warnings.append(provenance.refined.sentence)
     return replace(
         source,
         provenance=confirmed,

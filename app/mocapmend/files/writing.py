@@ -29,6 +29,7 @@ from mocapmend.files.formats.table import FORMATS
 from mocapmend.files.opening import changed_on_disk, open_file
 from mocapmend.files.provenance import Provenance
 from mocapmend.files.records import KeptGap, RepairRecord
+from mocapmend.files.refinement import Refinement
 from mocapmend.files.repairs import listed_samples
 from mocapmend.files.saving import Saved, check_place
 from mocapmend.files.source import Source
@@ -101,6 +102,7 @@ def write_recording(
     *,
     kept_open: Sequence[KeptGap] = (),
     corrections: Corrections = NO_CORRECTIONS,
+    refined: Refinement | None = None,
     replace_source: bool = False,
     accept_truncated: bool = False,
     progress: Progress = no_progress,
@@ -121,6 +123,9 @@ def write_recording(
         Its gaps that are kept open, points as in the source.
     corrections : Corrections
         What was put right in it besides filling gaps, points as in the source.
+    refined : Refinement, optional
+        How a network has made the samples from those of the source; by default as the source's
+        own record says.
     replace_source : bool
         Whether `out` may be the source itself.
     accept_truncated : bool
@@ -140,7 +145,9 @@ def write_recording(
         raise MocapmendError(
             "The recording has no markers to write.", str(source.path), "Choose another one."
         )
-    provenance = _provenance(source, repairs, kept_open, corrections)
+    if refined is None and source.provenance is not None:
+        refined = source.provenance.refined
+    provenance = _provenance(source, repairs, kept_open, corrections, refined)
     group = b""
     if provenance is not None and out.suffix.lower() == ".c3d":
         group = encode_group(provenance, GROUP, Processor.INTEL)
@@ -182,9 +189,10 @@ def _provenance(
     repairs: Sequence[RepairRecord],
     kept_open: Sequence[KeptGap],
     corrections: Corrections,
+    refined: Refinement | None,
 ) -> Provenance | None:
     """Return the repair record of the new file, in which the points are the markers."""
-    if not (repairs or kept_open or corrections):
+    if not (repairs or kept_open or corrections or refined):
         return None
     earlier = () if source.provenance is None else source.provenance.inputs
     with open_file(source.path) as (_, stamp):
@@ -205,6 +213,7 @@ def _provenance(
             _moved(source, corrections.smoothed),
             _moved(source, corrections.renamed),
         ),
+        refined=refined,
     )
 
 

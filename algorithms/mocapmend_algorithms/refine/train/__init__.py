@@ -1,0 +1,1 @@
+"""Training of refinement networks. It needs PyTorch, which inference does not."""

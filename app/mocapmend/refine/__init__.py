@@ -1,0 +1,1 @@
+"""Refining recordings of cheap sensors with trained networks, and training them. No Qt."""
