@@ -14,8 +14,17 @@ def load() -> tuple[Template, ...]:
     tuple of Template
         In the order of their file names.
     """
-    found = sorted(
-        (file for file in files(__name__).iterdir() if file.name.endswith(".toml")),
-        key=lambda file: file.name,
-    )
-    return tuple(parse_template(tomllib.loads(file.read_text("utf-8"))) for file in found)
+    found = sorted(file.name for file in files(__name__).iterdir() if file.name.endswith(".toml"))
+    return tuple(read(name.removesuffix(".toml")) for name in found)
+
+
+def read(name: str) -> Template:
+    """Read one template.
+
+    Parameters
+    ----------
+    name : str
+        Of its file, without the ending, as "kinect_v2_25".
+    """
+    text = (files(__name__) / f"{name}.toml").read_text("utf-8")
+    return parse_template(tomllib.loads(text))
