@@ -1,5 +1,7 @@
 """Joints of a Kinect v2 in text files without a header, as KERAAL and KIMORE have them."""
 
+import random
+from collections.abc import Callable
 from itertools import accumulate, product
 from pathlib import Path
 
@@ -7,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from kinect_samples import led_by, person, rows, with_orientations, with_states
+from kinect_samples import FloatArray, led_by, person, rows, with_orientations, with_states
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, read_recording
@@ -189,7 +191,9 @@ def test_a_last_line_that_is_cut_is_left_out(kind: str, tmp_path: Path) -> None:
         (lambda _: "# pause", "Line {} has {} numbers, but the first line has 100"),
     ],
 )
-def test_a_bad_line_is_named(change, message: str, at: int, tmp_path: Path) -> None:
+def test_a_bad_line_is_named(
+    change: Callable[[str], str], message: str, at: int, tmp_path: Path
+) -> None:
     lines = rows(with_states(person(80))).split("\n")
     lines[at] = change(lines[at])
     count = len(lines[at].split(","))
@@ -205,7 +209,7 @@ def test_blank_lines_are_no_frames(tmp_path: Path) -> None:
 # --- numbers and times of frames -----------------------------------------------------------------
 
 
-def numbered(kind: str) -> np.ndarray:
+def numbered(kind: str) -> FloatArray:
     """Return the steps of frames 0-9, 13-39, in units of a kind."""
     frames = np.concatenate([np.arange(10), np.arange(13, 40)]).astype(float)
     return {
@@ -295,7 +299,7 @@ def test_times_of_other_frames_give_the_rate_alone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("column", [np.full(40, 3.0), np.arange(40)[::-1], np.arange(40) * 1e9])
 def test_a_first_column_that_is_no_time_makes_it_no_kinect(
-    column: np.ndarray, tmp_path: Path
+    column: FloatArray, tmp_path: Path
 ) -> None:
     assert NO_KINECT in refused(tmp_path / "walk.csv", rows(led_by(column, person())))
 
@@ -307,7 +311,7 @@ def test_a_first_column_that_is_no_time_makes_it_no_kinect(
     st.randoms(use_true_random=False),
 )
 def test_times_with_a_little_jitter_give_frames_and_rate(
-    steps: list[int], rate: float, units: float, rng
+    steps: list[int], rate: float, units: float, rng: random.Random
 ) -> None:
     # Most steps are one frame.
     steps = [1] * (len(steps) + 1) + steps

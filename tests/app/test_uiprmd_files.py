@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kinect_samples import REST_39, person, rows, uiprmd, uiprmd_positions
+from kinect_samples import REST_39, FloatArray, person, rows, uiprmd, uiprmd_positions
 
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Source, read_recording
@@ -17,7 +17,7 @@ NAMES = ("m01_s01_e01_positions.txt", "m01_s01_e01_angles.txt")
 ASSUMED = "The file states no frame rate; 30 Hz is assumed."
 
 
-def write(positions: Path, angles: Path, frames: int = 30) -> tuple[np.ndarray, np.ndarray]:
+def write(positions: Path, angles: Path, frames: int = 30) -> tuple[FloatArray, FloatArray]:
     """Write a recording into two files; return what they hold."""
     offsets, turns = uiprmd(frames)
     for path, values in ((positions, offsets), (angles, turns)):
@@ -195,7 +195,7 @@ def unpacked(shared: Path, folder: Path, pattern: str) -> list[Path]:
     return [folder / path.stem for path in found]
 
 
-def decoded(archive: Path, prefix: str, path: Path) -> np.ndarray:
+def decoded(archive: Path, prefix: str, path: Path) -> FloatArray:
     """Return a recording as it was decoded before (mm), which is rounded to 0.1 mm."""
     with np.load(archive) as arrays:
         key = [0, *map(int, re.findall(r"_[mse]?(\d\d)(?=_|\.)", path.name.replace("__m", "__")))]
