@@ -1,6 +1,7 @@
 """Recordings of the data set UI-PRMD: joints of a Kinect in two files, markers of a Vicon."""
 
 import gzip
+import random
 import re
 from pathlib import Path
 
@@ -14,6 +15,21 @@ from mocapmend.views.engine_texts import find
 from mocapmend_resources import skeletons
 
 NAMES = ("m01_s01_e01_positions.txt", "m01_s01_e01_angles.txt")
+TOKENS = [
+    b"",
+    b"7",
+    b"-",
+    b",",
+    b"\n",
+    b"nan",
+    b"inf",
+    b"1e308",
+    b"1e400",
+    b"x",
+    b"\0",
+    b" ",
+    b"\xff",
+]
 ASSUMED = "The file states no frame rate; 30 Hz is assumed."
 
 
@@ -159,6 +175,30 @@ def test_a_bad_line_is_named(which: int, tmp_path: Path) -> None:
         error = refused(path)
         assert error.where == str(paths[which])
         assert re.fullmatch(r"Line 8 has \d numbers, but the first line has 66\.", error.what)
+
+
+@pytest.mark.parametrize("which", [0, 1])
+def test_mutants_open_or_are_refused(which: int, tmp_path: Path) -> None:
+    paths = [tmp_path / name for name in NAMES]
+    write(*paths, frames=4)
+    original, rng = paths[which].read_bytes(), random.Random(which)
+    opened = 0
+    for _ in range(150):
+        raw = bytearray(original)
+        for _ in range(rng.choice([1, 1, 3])):
+            at = rng.randrange(len(raw) + 1)
+            raw[at : at + rng.choice([0, 1, 1, 300])] = rng.choice(TOKENS)
+        paths[which].write_bytes(raw)
+        try:
+            source = read(paths[1 - which])
+        except MocapmendError as error:
+            assert error.where == str(paths[which])
+            assert find(error.what) is not None
+            continue
+        opened += 1
+        assert np.isfinite(source.recording.points[source.recording.present]).all()
+        assert np.isnan(source.recording.points[~source.recording.present]).all()
+    assert opened > 10
 
 
 # --- Vicon ---------------------------------------------------------------------------------------
