@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 from c3d_synthetic import Synthetic, encode, walk
 from joints_synthetic import Bone, Node, amc_text, asf_text, bvh_text
+from kinect_samples import person, rows, with_states
 
 from mocapmend import engine
 from mocapmend.files import Source, read_recording
@@ -15,7 +16,7 @@ from mocapmend_algorithms.fill.registry import METHODS
 
 FRAMES = 40
 LABELS = ["A", "B", "C", "D"]
-SOURCES = ("c3d", "trc", "csv", "tsv", "npz", "bvh", "amc")
+SOURCES = ("c3d", "trc", "csv", "tsv", "txt", "npz", "bvh", "amc")
 TARGETS = ("c3d", "trc", "csv", "long.csv", "npz")
 NO_LIMITS = Limits(max_error_mm=float("inf"))
 
@@ -40,7 +41,7 @@ def write_sample(folder: Path, kind: str) -> Path:
     if write is not None:
         write(path)
     else:
-        path.write_text({"trc": _trc, "csv": _csv, "tsv": _qualisys}[kind]())
+        path.write_text({"trc": _trc, "csv": _csv, "tsv": _qualisys, "txt": _kinect}[kind]())
     return path
 
 
@@ -118,6 +119,13 @@ def _qualisys() -> str:
         *_rows("\t", numbered=False),
         "",
     ])  # fmt: skip
+
+
+def _kinect() -> str:
+    states = np.full((FRAMES, 25), 2.0)
+    states[10:15, 6] = 0
+    states[20:30, 14] = 0
+    return rows(with_states(person(FRAMES), states))
 
 
 def _npz(path: Path) -> None:

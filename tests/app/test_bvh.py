@@ -17,6 +17,8 @@ from mocapmend.files.formats.bvh import read_bvh
 from mocapmend.files.formats.kinematics import BLOCK_SAMPLES, Joint
 from mocapmend.views.main_window import MainWindow
 from mocapmend_algorithms import no_progress
+from mocapmend_algorithms.skeleton import match_template
+from mocapmend_resources import skeletons as templates
 
 ALL = ("Xposition", "Yposition", "Zposition", "Zrotation", "Xrotation", "Yrotation")
 TURNS = ALL[3:]
@@ -336,7 +338,9 @@ def test_the_real_file_of_a_suit(shared: Path) -> None:
     recording = source.recording
     assert recording.points.shape == (2156, 59 + 13, 3)
     assert (recording.unit, recording.up, source.truncated) == ("cm", "+y", False)
+    assert recording.rate == 125.0, "as the file states, whatever its name says"
     assert (skeleton.source, skeleton.bones) == ("file", source.bones)
+    assert_axis_neuron(source)
     nodes, values = _parsed_again(path.read_text())
     some = slice(None, None, 97)
     np.testing.assert_allclose(
@@ -349,6 +353,43 @@ def test_the_real_file_of_a_suit(shared: Path) -> None:
         recording.points[:, ends[:, 1]] - recording.points[:, ends[:, 0]], axis=2
     )
     assert np.ptp(lengths, axis=0).max() < 1e-9
+
+
+def test_a_suit_with_fingers(read: Read) -> None:
+    template = templates.read("axis_neuron_59")
+    parents = {joint: template.required.index(parent) for parent, joint in template.bones}
+    nodes = [
+        Node(label, parents.get(label, -1), (1.0 + i, 90.0 / (i + 1), -float(i)), ALL)
+        for i, label in enumerate(template.required)
+    ]
+    tips = [i for i in range(59) if i not in parents.values()]
+    nodes += [Node("", i, (1.0, 0.0, 0.0), end=True) for i in tips]
+    # Every joint has six numbers, as Axis Neuron writes them.
+    offsets = np.broadcast_to([node.offset for node in nodes[:59]], (4, 59, 3))
+    turns = np.random.default_rng(6).normal(0, 10, (4, 59, 3))
+    values = np.concatenate([offsets, turns], axis=2).reshape(4, -1)
+    source = read(bvh_text(nodes, values, "0.008"))
+    assert source.recording.rate == 125.0
+    assert_axis_neuron(source)
+    labels = source.recording.labels
+    places = [labels.index(label) for label in template.required]
+    expected = bvh_positions(nodes[:59], values)
+    np.testing.assert_allclose(source.recording.points[:, places], expected, atol=1e-9)
+
+
+def assert_axis_neuron(source: Source) -> None:
+    """Compare joints, bones and what is known of them with the template."""
+    template = templates.read("axis_neuron_59")
+    labels = source.recording.labels
+    assert [label for label in labels if not label.endswith(" end")] == list(template.required)
+    named = {(labels[a], labels[b]) for a, b in source.bones}
+    assert named == set(template.bones) | {
+        (label.removesuffix(" end"), label) for label in labels if label.endswith(" end")
+    }
+    known = match_template(labels, templates.load())
+    assert known is not None
+    assert known.name == template.name
+    assert {(labels[a], labels[b]) for a, b in known.bones} == set(template.bones)
 
 
 def _parsed_again(text: str) -> tuple[list[Node], FloatArray]:

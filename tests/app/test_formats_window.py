@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from kinect_samples import person, rows
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QMessageBox
@@ -16,6 +17,7 @@ from mocapmend.files.sidecar import sidecar_path
 from mocapmend.settings import RECENT_FILES
 from mocapmend.views.main_window import MainWindow
 from mocapmend.views.workspace import Workspace
+from mocapmend_resources import skeletons
 
 Open = Callable[[Path], MainWindow]
 BVH = """HIERARCHY
@@ -185,6 +187,7 @@ def test_an_ending_that_cannot_be_written_is_told(
         ("walk.long.csv", LONG, "walk_repaired.long.csv"),
         ("motive.csv", MOTIVE, "motive_repaired.csv"),
         ("nexus.csv", NEXUS, "nexus_repaired.csv"),
+        ("kinect.txt", rows(person(12)), "kinect_repaired.c3d"),
     ],
 )
 def test_other_formats_are_dropped_and_exported(
@@ -230,6 +233,19 @@ def test_a_bvh_file_shows_its_own_bones(open_in: Open, tmp_path: Path) -> None:
     assert len(workspace.document.skeleton.bones) == 2
     assert workspace.document.gaps == []
     assert "nothing to fill" in workspace.repair._promise.text()
+
+
+def test_a_kinect_file_shows_its_joints_with_bones(open_in: Open, tmp_path: Path) -> None:
+    points = person()
+    points[10:15, 6] = 0
+    workspace = workspace_of(open_in(write(tmp_path / "walk.txt", rows(points, " "))))
+    document = workspace.document
+    template = skeletons.read("kinect_v2_25")
+    labels = document.original.labels
+    assert {(labels[a], labels[b]) for a, b in document.skeleton.bones} == set(template.bones)
+    assert [(labels[gap.marker], gap.start, gap.stop) for gap in document.gaps] == [
+        ("WristLeft", 10, 15)
+    ]
 
 
 def test_gaps_of_a_trc_file_are_filled_and_undone(

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kinect_samples import REST_39, led_by, person, rows, with_orientations, with_states
 from text_samples import (
     LONG,
     MOTIVE,
@@ -45,6 +46,10 @@ FILES = {
     "motive": (".csv", MOTIVE.encode()),
     "nexus": (".csv", NEXUS.encode()),
     "npz": (".npz", npz()),
+    "kinect": (".txt", rows(with_orientations(person(4)), " ", " \r").encode()),
+    "states": (".csv", rows(with_states(person(4)), end=",").encode()),
+    "times": (".csv", rows(led_by(np.arange(4) / 30, person(4))).encode()),
+    "vicon": (".txt", rows(person(4, REST_39)).encode()),
 }
 TOKENS = [
     b"\0",

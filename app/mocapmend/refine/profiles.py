@@ -58,7 +58,7 @@ def _made(name: str, data: dict[str, Any]) -> Profile:
 def _points(value: str | list[str]) -> tuple[tuple[str, ...], Template | None]:
     if isinstance(value, list):
         return tuple(value), None
-    template = skeletons.named(value)
+    template = skeletons.read(value)
     return template.required, template
 
 

@@ -5,8 +5,6 @@ from importlib.resources import files
 
 from mocapmend_algorithms.skeleton import Template, parse_template
 
-SUFFIX = ".toml"
-
 
 def load() -> tuple[Template, ...]:
     """Read all templates that ship with the program.
@@ -16,17 +14,17 @@ def load() -> tuple[Template, ...]:
     tuple of Template
         In the order of their file names.
     """
-    names = sorted(file.name for file in files(__name__).iterdir())
-    return tuple(named(name.removesuffix(SUFFIX)) for name in names if name.endswith(SUFFIX))
+    found = sorted(file.name for file in files(__name__).iterdir() if file.name.endswith(".toml"))
+    return tuple(read(name.removesuffix(".toml")) for name in found)
 
 
-def named(name: str) -> Template:
-    """Read the template of a file, by its name without the ending.
+def read(name: str) -> Template:
+    """Read one template.
 
-    Raises
-    ------
-    FileNotFoundError
-        If there is none.
+    Parameters
+    ----------
+    name : str
+        Of its file, without the ending, as "kinect_v2_25".
     """
-    text = files(__name__).joinpath(f"{name}{SUFFIX}").read_text("utf-8")
+    text = (files(__name__) / f"{name}.toml").read_text("utf-8")
     return parse_template(tomllib.loads(text))

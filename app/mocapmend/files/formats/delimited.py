@@ -7,11 +7,14 @@ from mocapmend.files.formats.columns import Columns
 from mocapmend.files.formats.csv_header import HEAD_LINES, read_csv_header
 from mocapmend.files.formats.csv_long import read_samples
 from mocapmend.files.formats.frames import MissingRule, read_frames
+from mocapmend.files.formats.kinect import is_kinect, parse_kinect
 from mocapmend.files.formats.motive import is_motive, parse_motive
 from mocapmend.files.formats.nexus import is_nexus, parse_nexus
 from mocapmend.files.formats.qualisys import is_qualisys, parse_qualisys
 from mocapmend.files.formats.text import Lines, open_text
 from mocapmend.files.formats.trc import is_trc, parse_trc
+from mocapmend.files.formats.uiprmd_kinect import is_uiprmd_kinect, parse_uiprmd_kinect
+from mocapmend.files.formats.uiprmd_vicon import is_uiprmd_vicon, parse_uiprmd_vicon
 from mocapmend.files.source import Source
 
 KINDS = (
@@ -19,11 +22,14 @@ KINDS = (
     (is_qualisys, parse_qualisys),
     (is_nexus, parse_nexus),
     (is_trc, parse_trc),
+    (is_kinect, parse_kinect),
+    (is_uiprmd_kinect, parse_uiprmd_kinect),
+    (is_uiprmd_vicon, parse_uiprmd_vicon),
 )
 
 
 def read_delimited(path: Path) -> Source:
-    """Read a table in a text file: Motive, Qualisys, Nexus, TRC, or a CSV file of any program.
+    """Read a table in a text file: of a program or a data set that is known, or any CSV file.
 
     Raises
     ------

@@ -37,7 +37,9 @@ class Format:
 FORMATS: tuple[Format, ...] = (
     Format("C3D", (".c3d",), read_c3d),
     Format("TRC", (".trc",), read_trc),
-    Format("CSV, Qualisys, Motive, Nexus", (".csv", ".tsv", ".txt"), read_delimited),
+    Format(
+        "CSV, Qualisys, Motive, Nexus, Kinect, UI-PRMD", (".csv", ".tsv", ".txt"), read_delimited
+    ),
     Format("BVH", (".bvh",), read_bvh),
     Format("Acclaim ASF/AMC", (".amc", ".asf"), read_amc),
     Format("NumPy", (".npz",), read_npz),

@@ -125,6 +125,26 @@ ERRORS = (
         "frame, time, marker, x, y, z.",
     ),
     QT_TRANSLATE_NOOP("Sentences", "The file has no row that names columns of markers."),
+    QT_TRANSLATE_NOOP("Sentences", "Line {0} has {1} numbers, but the first line has {2}."),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "A recording of UI-PRMD's Kinect is two files, and the other one is not there: {0}.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "A recording of UI-PRMD's Kinect is two files, and the name of this one does not say "
+        "which is the other.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "By its name this is the other file of a recording of UI-PRMD's Kinect, but it holds "
+        "something else.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Put the two files into the same folder, or into the folders Positions and Angles, under "
+        "names as m01_s01_e01_positions.txt and m01_s01_e01_angles.txt.",
+    ),
     QT_TRANSLATE_NOOP("Sentences", "Some lines name neither a frame nor a time."),
     QT_TRANSLATE_NOOP("Sentences", "{0} lines are too few for {1} markers in {2} frames."),
     QT_TRANSLATE_NOOP("Sentences", "There are no markers to export."),

@@ -10,6 +10,8 @@ SEGMENTS = (
     QT_TRANSLATE_NOOP("Segments", "right upper arm"),
     QT_TRANSLATE_NOOP("Segments", "left forearm"),
     QT_TRANSLATE_NOOP("Segments", "right forearm"),
+    QT_TRANSLATE_NOOP("Segments", "left hand"),
+    QT_TRANSLATE_NOOP("Segments", "right hand"),
     QT_TRANSLATE_NOOP("Segments", "left thigh"),
     QT_TRANSLATE_NOOP("Segments", "right thigh"),
     QT_TRANSLATE_NOOP("Segments", "left shank"),

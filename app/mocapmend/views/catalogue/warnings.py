@@ -181,6 +181,38 @@ WARNINGS = (
     ),
     QT_TRANSLATE_NOOP("Sentences", "The poses of bodies and bones are left out: {0}."),
     QT_TRANSLATE_NOOP("Sentences", "Other sections of the file are left out: {0}."),
+    QT_TRANSLATE_NOOP("Sentences", "The orientations of the joints are left out."),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Samples that the Kinect did not track are taken as missing: {0}.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Samples that the Kinect did not see but inferred are kept as they are: {0} of {1}.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Samples whose state of tracking is unknown are kept as they are: {0}.",
+    ),
+    QT_TRANSLATE_NOOP("Sentences", "The times in {0} cannot be used."),
+    QT_TRANSLATE_NOOP("Sentences", "The times in {0} say {1} Hz."),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "{0} has {1} times for {2} frames; only the frame rate is taken from it.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "{0} of {1} steps from frame to frame are more than a quarter longer or shorter than {2} "
+        "ms; the frames are taken as evenly spaced.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "There are {0} frames of positions and {1} of angles; the first {2} are read.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The file does not name its markers; Plug-in Gait's names are assumed.",
+    ),
     QT_TRANSLATE_NOOP(
         "Sentences",
         "The bones of the file do not fit its markers; they are ignored.",
