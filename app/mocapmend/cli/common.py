@@ -11,7 +11,7 @@ import numpy as np
 from mocapmend.cli.console import Console
 from mocapmend.cli.usage import UsageError
 from mocapmend.engine import Exported
-from mocapmend.files import CheckReport, Source
+from mocapmend.files import CheckReport, Saved, Source
 from mocapmend.files.sidecar import sidecar_path
 from mocapmend.wording import count as count
 from mocapmend.wording import span as span
@@ -65,17 +65,19 @@ def facts(source: Source) -> dict[str, Any]:
 def written(exported: Exported) -> dict[str, Any]:
     """Return what every JSON document says about a file that was written."""
     saved = exported.saved
-    beside = sidecar_path(saved.path) if saved.record == "sidecar" else None
     return {
-        "repair_record": {
-            "place": saved.record or None,
-            "file": None if beside is None else str(beside),
-        },
+        "repair_record": record_place(saved),
         "converted_to_floats": saved.converted,
         "notes": list(saved.notes),
         "second_reader": exported.second_reader,
         "check": None if exported.check is None else comparison(exported.check),
     }
+
+
+def record_place(saved: Saved) -> dict[str, Any]:
+    """Return where the repair record of a file is, for JSON."""
+    beside = sidecar_path(saved.path) if saved.record == "sidecar" else None
+    return {"place": saved.record or None, "file": None if beside is None else str(beside)}
 
 
 def comparison(found: CheckReport) -> dict[str, Any]:

@@ -91,7 +91,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         frames=done.refined.recording.frames,
         markers=list(done.refined.recording.labels),
         bridged_frames=dict(done.bridged),
-        repair_record=done.saved.record or None,
+        repair_record=common.record_place(done.saved),
         notes=list(done.saved.notes),
         comparison=None if done.comparison is None else _as_json(done, done.comparison),
     )

@@ -218,28 +218,33 @@ class Training:
                 loss = loss + settings.latent * self._latent(outputs[-1], target)
         else:
             weighting = Weighting(FIRST_SHARE * settings.bones, FIRST_SHARE * settings.smoothness)
-            made = network.perceptual(self._standard(target.poses))
+            made = network.perceptual(self._standard(target))
             loss = kinematic_loss(self._poses(made), target, self._bones, weighting)
         self._optimiser.zero_grad()
         loss.backward()  # type: ignore[no-untyped-call]
-        nn.utils.clip_grad_norm_(network.parameters(), LARGEST_SLOPE)
+        # Not of the whole network: the slopes of the first stage are still there in the second.
+        learnt = [one for group in self._optimiser.param_groups for one in group["params"]]
+        nn.utils.clip_grad_norm_(learnt, LARGEST_SLOPE)
         self._optimiser.step()
         return float(loss.detach())
 
     def _latent(self, made: Tensor, target: Target) -> Tensor:
-        known = target.seen.all(dim=2)
+        standard = self._standard(target)
+        # What is not known is taken to be as it was made.
+        seen = target.seen.repeat_interleave(3, dim=-1)
         with torch.no_grad():
-            wanted = self.network.perceptual.encode(self._standard(target.poses))
-        return latent_loss(self.network.perceptual.encode(made), wanted, known)
+            wanted = self.network.perceptual.encode(torch.where(seen, standard, made))
+        return latent_loss(self.network.perceptual.encode(made), wanted, target.known)
 
     def _poses(self, outputs: Tensor) -> Tensor:
         """Return poses in units of 100 mm of what the network makes."""
         mean, spread = self._output_scaling()
         return outputs.reshape(*outputs.shape[:2], *mean.shape) * spread + mean
 
-    def _standard(self, poses: Tensor) -> Tensor:
+    def _standard(self, target: Target) -> Tensor:
+        """Return standardised targets, 0 where they are not known."""
         mean, spread = self._output_scaling()
-        return ((poses - mean) / spread).flatten(start_dim=-2)
+        return ((target.poses - mean) / spread * target.seen[..., None]).flatten(start_dim=-2)
 
     def _output_scaling(self) -> tuple[Tensor, Tensor]:
         mean, spread = self.scaling.output_mean, self.scaling.output_spread

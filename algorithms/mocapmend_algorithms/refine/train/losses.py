@@ -51,6 +51,11 @@ class Target:
     lengths: Tensor
     measured: Tensor
 
+    @property
+    def known(self) -> Tensor:
+        """Frames in which something is known, shape (windows, frames)."""
+        return self.seen.any(dim=2)
+
     @classmethod
     def of(cls, markers: Tensor, bones: Tensor) -> "Target":
         """Make targets of markers, shape (windows, frames, outputs, 3), NaN where missing."""
@@ -64,20 +69,23 @@ def kinematic_loss(poses: Tensor, target: Target, bones: Tensor, weighting: Weig
 
     Frames in which nothing is known are left out.
     """
-    known = target.seen.any(dim=2)
-    position = ((poses - target.poses) ** 2).mean(dim=-1)[target.seen].mean()
+    known = target.known
+    position = _mean(((poses - target.poses) ** 2).mean(dim=-1), target.seen)
     deviation = (_lengths(poses, bones) - target.lengths[:, None]) ** 2
-    counted = known[..., None] & target.measured[:, None]
-    stretch = deviation[counted].mean()
+    stretch = _mean(deviation, known[..., None] & target.measured[:, None])
     bends = (poses[:, 2:] - 2 * poses[:, 1:-1] + poses[:, :-2]) ** 2
-    rough = bends.mean(dim=(-1, -2))[known[:, 2:]].mean()
+    rough = _mean(bends.mean(dim=(-1, -2)), known[:, 2:])
     return position + weighting.bones * stretch + weighting.smoothness * rough
 
 
 def latent_loss(made: Tensor, wanted: Tensor, known: Tensor) -> Tensor:
     """Return Lc of latent variables, shape (windows, frames, latent), where frames are known."""
-    squares: Tensor = ((made - wanted) ** 2).mean(dim=-1)
-    return squares[known].mean()
+    return _mean(((made - wanted) ** 2).mean(dim=-1), known)
+
+
+def _mean(values: Tensor, counted: Tensor) -> Tensor:
+    """Average what is counted; nothing is 0."""
+    return (values * counted).sum() / counted.sum().clamp(min=1)
 
 
 def _lengths(poses: Tensor, bones: Tensor) -> Tensor:
