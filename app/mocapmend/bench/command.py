@@ -18,6 +18,7 @@ BENCHES = {
     "smoothing": "noise taken away and motion lost by smoothing, on recordings with added noise",
     "labels": "points without names labelled from other recordings, against a fixed pose",
     "gaps": "methods of repair on gap cases with known truth, against published methods",
+    "kinect": "refinement of Kinect joints by networks, against regressions, on UI-PRMD",
     "problems": "detectors of bad samples, on recordings with errors put in",
 }
 """Each is a module with `add_arguments(parser)` and `run(arguments)`, which returns a result."""

@@ -14,7 +14,8 @@ from mocapmend_algorithms.refine.train.pairs import Pair
 
 STRIDE = 60
 OUTPUT_FILTER_HZ = 6.0
-INPUT_FILTER_HZ = 5.0
+INPUT_FILTER_HZ = 4.0
+"""Both ways together: what a filter of second order and 5 Hz does, forwards and backwards."""
 NETWORK, FILTERED, RIDGE = "network", "network, 6 Hz", "ridge on 5 Hz Butterworth"
 
 Predict = Callable[[FloatArray], FloatArray]

@@ -81,7 +81,7 @@ class Training:
         self.settings = settings
         self.curve: list[Round] = []
         torch.manual_seed(settings.seed)
-        self.network = Stack(settings.shape(profile))
+        self.network = Stack(settings.shape(profile), settings.dropout)
         whole = Drawer(pairs, profile, NO_CHANGES).round(self._rng(0, 0))
         self.scaling = Scaling.of(whole.joints, whole.markers)
         self._drawer = Drawer(pairs, profile, settings.changes)

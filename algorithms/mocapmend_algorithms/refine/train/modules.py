@@ -7,9 +7,6 @@ from torch import Tensor, nn
 
 from mocapmend_algorithms.refine.network import DENSE, SKIP_REACH, Shape, skip_kernel
 
-DROPOUT = 0.2
-"""Of the recurrent layers (Y23, section 2.4)."""
-
 
 class Half(nn.Module):
     """An encoder or a decoder without its recurrent layer's place in the order."""
@@ -23,11 +20,11 @@ class Half(nn.Module):
 class Autoencoder(nn.Module):
     """Three dense layers and a recurrent one, and the same mirrored (Y23, figure 4)."""
 
-    def __init__(self, entrance: int, width: int, outputs: int) -> None:
+    def __init__(self, entrance: int, width: int, outputs: int, dropout: float) -> None:
         super().__init__()
         self.encoder = Half([entrance, *[width] * DENSE], width, width)
         self.decoder = Half([2 * width, *[width] * (DENSE - 1), outputs], 2 * width, width)
-        self.dropout = nn.Dropout(DROPOUT)
+        self.dropout = nn.Dropout(dropout)
 
     def encode(self, signal: Tensor) -> Tensor:
         """Return the latent variables, shape (windows, frames, 2 x width)."""
@@ -48,11 +45,19 @@ class Autoencoder(nn.Module):
 
 
 class Stack(nn.Module):
-    """The whole network; names of its parameters are those of `Shape.expected`."""
+    """The whole network; names of its parameters are those of `Shape.expected`.
+
+    Parameters
+    ----------
+    shape : Shape
+        Its size.
+    dropout : float
+        Share of what the recurrent layers make that is left out while it is trained.
+    """
 
     kernel: Tensor
 
-    def __init__(self, shape: Shape) -> None:
+    def __init__(self, shape: Shape, dropout: float = 0.0) -> None:
         super().__init__()
         self.shape = shape
         self.stack = nn.ModuleList(
@@ -61,12 +66,13 @@ class Stack(nn.Module):
                     shape.outputs if at else shape.inputs,
                     shape.width if at else shape.first_width,
                     shape.outputs,
+                    dropout,
                 )
                 for at in range(shape.stacks)
             ]
         )
         if shape.perceptual:
-            self.perceptual = Autoencoder(shape.outputs, shape.width, shape.outputs)
+            self.perceptual = Autoencoder(shape.outputs, shape.width, shape.outputs, dropout)
         if shape.skip:
             self.skip = nn.Linear(shape.inputs, shape.outputs)
         self.register_buffer("kernel", torch.from_numpy(skip_kernel()), persistent=False)

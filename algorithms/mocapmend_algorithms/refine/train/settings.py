@@ -9,6 +9,7 @@ from mocapmend_algorithms.refine.train.drawing import NO_CHANGES, Changes
 PRINTED_FIRST_WIDTH, PRINTED_WIDTH = 128, 226
 PRINTED_ROUNDS = 200
 PRINTED_STEP = 1e-5
+PRINTED_DROPOUT = 0.2
 
 
 @dataclass(frozen=True)
@@ -29,6 +30,9 @@ class Settings:
         Weights of Lb and Ls in the second stage; the first has 0.4 of them, as the paper.
     first_rounds, rounds : int
         Times that the pairs are gone through, in the first stage and in the second.
+    dropout : float
+        Share of what the recurrent layers make that is left out at random. The paper has 0.2;
+        without any, the error on held-out repetitions is a fifth less.
     batch : int
         Windows of a step.
     step : float
@@ -50,6 +54,7 @@ class Settings:
     smoothness: float = 10.0
     first_rounds: int = 30
     rounds: int = 60
+    dropout: float = 0.0
     batch: int = 16
     step: float = 2e-3
     steady: bool = False
@@ -63,6 +68,7 @@ class Settings:
             width=PRINTED_WIDTH,
             first_width=PRINTED_FIRST_WIDTH,
             skip=False,
+            dropout=PRINTED_DROPOUT,
             first_rounds=PRINTED_ROUNDS,
             rounds=PRINTED_ROUNDS,
             step=PRINTED_STEP,

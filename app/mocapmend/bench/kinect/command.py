@@ -1,0 +1,183 @@
+"""What `bench kinect` takes, and the run."""
+
+import argparse
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from threadpoolctl import threadpool_limits
+
+from mocapmend.bench.arguments import add_data, at_least
+from mocapmend.bench.grid import Report
+from mocapmend.bench.kinect import tables
+from mocapmend.bench.kinect.few_shot import calibrated
+from mocapmend.bench.kinect.networks import (
+    BRA,
+    BRA_S,
+    BRA_S_C,
+    NETWORKS,
+    SPLITS,
+    STACKED,
+    Network,
+    Rounds,
+    Shelf,
+)
+from mocapmend.bench.kinect.rivals import RIDGE, raw_errors, rivals
+from mocapmend.bench.say import say
+from mocapmend.files.uiprmd import read_packed
+from mocapmend.refine.measuring import OUTPUT_FILTER_HZ, Predict, errors_over
+from mocapmend.refine.models import DEFAULT, load_model, names
+from mocapmend.refine.profiles import profile_named
+from mocapmend_algorithms import no_progress
+from mocapmend_algorithms.arrays import FloatArray
+from mocapmend_algorithms.refine.measures import Errors
+from mocapmend_algorithms.refine.model import Model
+from mocapmend_algorithms.refine.profile import Profile
+from mocapmend_algorithms.refine.refining import filtered, refined_poses
+from mocapmend_algorithms.refine.train.pairs import Pair
+from mocapmend_algorithms.refine.train.settings import Settings
+from mocapmend_algorithms.refine.windows import STRIDES
+
+PAIRS = Path("kinect") / "uiprmd_kinect22_vicon39.npz"
+RAW = "raw joints, beside the nearest markers"
+WITH_FILTER = ", 6 Hz"
+SHIPPED = "ships"
+FRAMES_TIMED = {60: 6000, 1: 600}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the benchmark takes."""
+    usual = Settings()
+    add_data(parser)
+    parser.add_argument(
+        "--networks", type=Path, metavar="DIR", help="where trained networks are kept"
+    )
+    parser.add_argument(
+        "--train", action="store_true", help="train those that are not there (hours)"
+    )
+    parser.add_argument(
+        "--rounds", type=at_least(1), default=usual.rounds, help="(default: %(default)s)"
+    )
+    parser.add_argument(
+        "--first-rounds",
+        type=at_least(1),
+        default=usual.first_rounds,
+        help="(default: %(default)s)",
+    )
+    parser.add_argument("--seed", type=at_least(0), default=0, help="(default: %(default)s)")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Train what is asked for, measure, and make the tables."""
+    profile = profile_named(DEFAULT)
+    pairs = read_packed(arguments.data / PAIRS, profile)
+    shelf = Shelf(
+        arguments.networks, Rounds(arguments.rounds, arguments.first_rounds, arguments.seed)
+    )
+    if arguments.train:
+        for network in NETWORKS:
+            for split in network.splits:
+                shelf.train(network, split, SPLITS[split].split(pairs)[0])
+    rows: list[tables.Row] = []
+    by_stacks: dict[Network, tuple[Model, Errors]] = {}
+    calibration = []
+    for split, held_out in SPLITS.items():
+        learnt, rest = held_out.split(pairs)
+        say(f"{split}: {len(learnt)} pairs to learn from, {len(rest)} held out")
+        ways: dict[str, Predict] = rivals(learnt, profile)
+        ridge = errors_over(rest, ways[RIDGE], profile)
+        rows.append(tables.Row(split, RAW, raw_errors(rest, profile), ridge))
+        found = {network: shelf.find(network, split) for network in NETWORKS}
+        models = {one.name: model for one, model in found.items() if model is not None}
+        if split == "seen" and DEFAULT in names():
+            models[SHIPPED] = load_model(DEFAULT)
+        for name, model in models.items():
+            ways[name] = _refining(model)
+            ways[name + WITH_FILTER] = _smoothing(_refining(model))
+        for name, predict in ways.items():
+            errors = errors_over(rest, predict, profile)
+            rows.append(tables.Row(split, name, errors, ridge))
+            say(f"{split}, {name}: Lp {errors.position:.0f}")
+        if split == "seen":
+            by_stacks = _by_stacks(found, rows)
+        else:
+            calibration = _calibration(rest, ways, profile)
+    grids = [
+        tables.stacks(by_stacks),
+        tables.structures([BRA, BRA_S, BRA_S_C]),
+        tables.comparison([row for row in rows if _is_compared(row)]),
+        tables.calibration(calibration),
+    ]
+    if DEFAULT in names():
+        timed = _speeds(load_model(DEFAULT), SPLITS["seen"].split(pairs)[1], profile)
+        best = SHIPPED
+        grids += [tables.speed(timed), tables.targets(rows, best, best + WITH_FILTER, timed[0][1])]
+    return Report("Refinement of Kinect joints (UI-PRMD, 22 -> 39)", grids, _notes(arguments))
+
+
+def _is_compared(row: tables.Row) -> bool:
+    return row.way.removesuffix(WITH_FILTER) not in {network.name for network in STACKED}
+
+
+def _refining(model: Model) -> Predict:
+    return lambda joints: refined_poses(joints, model, 60, no_progress)
+
+
+def _smoothing(predict: Predict) -> Predict:
+    def smooth(joints: FloatArray) -> FloatArray:
+        return filtered(predict(joints), OUTPUT_FILTER_HZ)
+
+    return smooth
+
+
+def _by_stacks(
+    found: dict[Network, Model | None], rows: Sequence[tables.Row]
+) -> dict[Network, tuple[Model, Errors]]:
+    errors = {row.way: row.errors for row in rows}
+    return {
+        network: (model, errors[network.name])
+        for network, model in found.items()
+        if model is not None and not network.latent
+    }
+
+
+def _calibration(
+    rest: Sequence[Pair], ways: dict[str, Predict], profile: Profile
+) -> list[tuple[str, Errors, Errors]]:
+    chosen = [name for name in (RIDGE, BRA.name, BRA_S.name, BRA_S_C.name) if name in ways]
+    return [(name, *calibrated(rest, ways[name], profile)) for name in chosen]
+
+
+def _speeds(
+    model: Model, rest: Sequence[Pair], profile: Profile
+) -> list[tuple[int, float, Errors]]:
+    import numpy as np
+
+    joints = np.concatenate([pair.joints for pair in rest])
+    timed = []
+    for stride in sorted(STRIDES, reverse=True):
+        part = joints[: FRAMES_TIMED[stride]]
+        seconds = []
+        with threadpool_limits(1, user_api="blas"):
+            for _ in range(3):
+                start = time.perf_counter()
+                refined_poses(part, model, stride, no_progress)
+                seconds.append(time.perf_counter() - start)
+        some = rest if stride > 1 else rest[:: len(rest) // 20]
+
+        def predict(joints: FloatArray, stride: int = stride) -> FloatArray:
+            return refined_poses(joints, model, stride, no_progress)
+
+        errors = errors_over(some, predict, profile)
+        timed.append((stride, len(part) / float(np.median(seconds)), errors))
+    return timed
+
+
+def _notes(arguments: argparse.Namespace) -> list[str]:
+    splits = "; ".join(f"{name}: {held_out} held out" for name, held_out in SPLITS.items())
+    trained = f"Networks: width {Settings().width}, linear skip, {arguments.first_rounds} + "
+    trained += f"{arguments.rounds} rounds, seed {arguments.seed}; “{SHIPPED}” is the one in the "
+    trained += "program, which was trained on the first split."
+    ridge = "Ridge regression is affine, frame by frame, on joints that are turned to one heading; "
+    ridge += "the ratios are to that on joints smoothed at 5 Hz."
+    return [f"Splits: {splits}.", trained, ridge]
