@@ -138,7 +138,7 @@ def test_windows_face_the_same_way_and_have_missing_truth_beyond_the_end() -> No
 
 def test_a_mirror_exchanges_left_and_right() -> None:
     pair = pairs(1, 240, noise=0.0)[0]
-    mirror = Changes(scale=0.0, turn=0.0, offset=0.0, mirror=True, hidden=0.0)
+    mirror = Changes(1.0, scale=0.0, turn=0.0, offset=0.0, mirror=True, hidden=0.0)
     found = Drawer([pair] * 8, PROFILE, mirror).round(np.random.default_rng(0))
     plain = Drawer([pair] * 8, PROFILE, NO_CHANGES).round(np.random.default_rng(0))
     flipped = ~np.isclose(found.joints, plain.joints).all(axis=(1, 2, 3))
@@ -152,7 +152,7 @@ def test_a_mirror_exchanges_left_and_right() -> None:
 
 def test_joints_that_hide_are_bridged_and_the_truth_stays() -> None:
     pair = pairs(1, 240)[0]
-    hidden = Changes(scale=0.0, turn=0.0, offset=0.0, mirror=False, hidden=1.0)
+    hidden = Changes(1.0, scale=0.0, turn=0.0, offset=0.0, mirror=False, hidden=1.0)
     found = Drawer([pair], PROFILE, hidden).round(np.random.default_rng(1))
     plain = Drawer([pair], PROFILE, NO_CHANGES).round(np.random.default_rng(1))
     assert not np.isnan(found.joints).any()

@@ -186,6 +186,7 @@ def test_a_network_is_trained_on_pairs_of_files(
     write_pairs(tmp_path, profile, 3)
     out = tmp_path / "model.npz"
     words = ["-o", out, "--profile", profile.id, "--hold-out", "repetitions=2", "--seed", 5]
+    words += ["--curve", tmp_path / "curve.csv"]
     code, made = train(run_json, tmp_path, *words)
     assert code == 0
     assert made["card"]["pairs"] == 2
@@ -195,6 +196,11 @@ def test_a_network_is_trained_on_pairs_of_files(
     assert model.profile == profile
     assert model.card == made["card"]
     assert not list(tmp_path.glob("*.training"))
+    rows = (tmp_path / "curve.csv").read_text().splitlines()
+    assert rows[0] == "stage,round,loss"
+    assert [row.split(",")[:2] for row in rows[1:]] == [
+        ["perceptual", "1"], ["perceptual", "2"], ["stack", "1"], ["stack", "2"],
+    ]  # fmt: skip
     recording = read_recording(tmp_path / "0.c3d")
     code, _ = run_json("refine", recording.path, "-o", tmp_path / "out.c3d", "--model", out)
     assert code == 0

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mocapmend_algorithms.arrays import FloatArray
+from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.refine.preparing import bridge_gaps, headings, turned
 from mocapmend_algorithms.refine.profile import Profile, mirrored
 from mocapmend_algorithms.refine.train.pairs import Pair
@@ -18,6 +18,8 @@ class Changes:
 
     Attributes
     ----------
+    share : float
+        Of the windows that are changed; the others are as they were recorded.
     scale : float
         Bodies are made larger or smaller by up to this share.
     turn : float
@@ -26,22 +28,23 @@ class Changes:
         Standard deviation in mm of an error that an input joint keeps through a window: sensors
         place the joints of each person differently.
     mirror : bool
-        Whether half of the windows are seen in a mirror.
+        Whether half of the changed windows are seen in a mirror.
     hidden : float
         Probability that an input joint is missing for a while, and bridged.
     longest_hidden : int
         Frames that it is missing at most.
     """
 
-    scale: float = 0.05
+    share: float = 0.5
+    scale: float = 0.1
     turn: float = 0.1
-    offset: float = 10.0
+    offset: float = 20.0
     mirror: bool = True
     hidden: float = 0.02
     longest_hidden: int = 30
 
 
-NO_CHANGES = Changes(scale=0.0, turn=0.0, offset=0.0, mirror=False, hidden=0.0)
+NO_CHANGES = Changes(share=0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,21 +103,21 @@ class Drawer:
     def _changed(self, drawn: Drawn, rng: np.random.Generator) -> Drawn:
         changes, joints, markers = self._changes, drawn.joints, drawn.markers
         count = len(joints)
+        changed = rng.random(count) < changes.share
+        flip = changed & (rng.random(count) < 0.5)
         if self._can_mirror:
-            flip = rng.random(count) < 0.5
             joints[flip], markers[flip] = self._mirror(joints[flip], markers[flip])
-        if changes.scale:
-            factor = rng.uniform(1 - changes.scale, 1 + changes.scale, (count, 1, 1, 1))
-            joints, markers = joints * factor, markers * factor
-        if changes.offset:
-            offsets = rng.normal(0, changes.offset, (count, 1, *joints.shape[2:]))
-            offsets[:, :, list(self._profile.input_root)] = 0.0
-            joints = joints + offsets
-        if changes.hidden:
-            self._hide(joints, rng)
+        alike = (changed * rng.uniform(-changes.scale, changes.scale, count))[:, None, None, None]
+        joints, markers = joints * (1 + alike), markers * (1 + alike)
+        offsets = rng.normal(0, changes.offset, (count, 1, *joints.shape[2:]))
+        offsets[~changed] = 0.0
+        offsets[:, :, list(self._profile.input_root)] = 0.0
+        joints = joints + offsets
+        hidden = changed[:, None] & (rng.random(joints.shape[::2]) < changes.hidden)
+        hidden[:, list(self._profile.input_root)] = False
+        self._hide(joints, hidden, rng)
         angles = headings(joints, self._profile)
-        if changes.turn:
-            angles += rng.uniform(-changes.turn, changes.turn, count)
+        angles += changed * rng.uniform(-changes.turn, changes.turn, count)
         return Drawn(turned(joints, -angles), turned(markers, -angles))
 
     def _mirror(self, joints: FloatArray, markers: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -123,9 +126,7 @@ class Drawer:
         seen[:, :, self._outputs < 0] = np.nan
         return joints[:, :, self._inputs] * across, seen
 
-    def _hide(self, joints: FloatArray, rng: np.random.Generator) -> None:
-        hidden = rng.random(joints.shape[::2]) < self._changes.hidden
-        hidden[:, list(self._profile.input_root)] = False
+    def _hide(self, joints: FloatArray, hidden: BoolArray, rng: np.random.Generator) -> None:
         for window, joint in zip(*np.nonzero(hidden), strict=True):
             length = int(rng.integers(1, self._changes.longest_hidden + 1))
             start = int(rng.integers(LENGTH - length + 1))

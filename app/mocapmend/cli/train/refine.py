@@ -17,7 +17,7 @@ from mocapmend.cli import target
 from mocapmend.cli.common import count
 from mocapmend.cli.console import Console
 from mocapmend.errors import MocapmendError
-from mocapmend.files.atomic import write_atomically, writer_of
+from mocapmend.files.atomic import write_atomically, write_bytes, writer_of
 from mocapmend.files.sidecar import hash_file
 from mocapmend.refine.holding_out import NOTHING, By, HeldOut
 from mocapmend.refine.learning import Course, learn, state_path
@@ -58,6 +58,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "-o", "--output", type=Path, required=True, metavar="MODEL.npz", help="the network"
+    )
+    parser.add_argument(
+        "--curve",
+        type=Path,
+        metavar="FILE.csv",
+        help="also write the loss of each round to a table; the network's card has it too",
     )
     parser.add_argument("--overwrite", action="store_true", help="replace what is there")
     parser.add_argument(
@@ -113,6 +119,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     target.check_place(out, overwrite=arguments.overwrite)
     state = state_path(out)
     target.check_place(state, overwrite=arguments.overwrite or arguments.resume)
+    if arguments.curve is not None:
+        target.check_place(arguments.curve, overwrite=arguments.overwrite)
     profile = profile_named(arguments.profile)
     console.start("Reading")
     held_out: HeldOut = arguments.hold_out
@@ -134,9 +142,16 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     if rest:
         model = measure(model, learnt, rest, part(console.progress, 0.98, 1.0))
     write_atomically(out, writer_of(encode_model(model)), _verify)
+    if arguments.curve is not None:
+        write_bytes(arguments.curve, _curve(model))
     state.unlink(missing_ok=True)
     _tell(model, out, time.perf_counter() - start, console)
     return 0
+
+
+def _curve(model: Model) -> bytes:
+    rows = [f"{stage},{number},{loss}\n" for stage, number, loss in model.card["curve"]]
+    return "".join(["stage,round,loss\n", *rows]).encode("ascii")
 
 
 def _verify(written: Path) -> None:
@@ -187,6 +202,12 @@ def _tell(model: Model, out: Path, seconds: float, console: Console) -> None:
     console.say(f"Network:    {out}")
     console.say(f"Profile:    {model.profile.name}")
     console.say(f"Learnt:     {count(card['pairs'], 'pair')}, {card['frames']} frames at 60 Hz")
+    for stage in dict.fromkeys(stage for stage, _, _ in card["curve"]):
+        losses = [loss for own, _, loss in card["curve"] if own == stage]
+        console.say(
+            f"Loss:       {losses[0]:.3f} to {losses[-1]:.3f} in {count(len(losses), 'round')}, "
+            f"{stage}"
+        )
     console.say(f"Weights:    {sum(weights.size for weights in model.weights.values())}")
     if "figures" in card:
         console.say(
