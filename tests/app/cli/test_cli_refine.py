@@ -210,7 +210,7 @@ def test_the_card_s_command_makes_the_same_network(run_json: Json, tmp_path: Pat
     profile = profile_named(PROFILES[0])
     write_pairs(tmp_path, profile, 2)
     first, second = tmp_path / "first.npz", tmp_path / "second.npz"
-    code, made = train(run_json, tmp_path, "-o", first, "--no-changes", "--no-latent")
+    code, made = train(run_json, tmp_path, "-o", first, "--no-changes", "--projected")
     assert code == 0
     words = made["card"]["command"].split()[3:]
     words[words.index("--pairs") + 1] = str(tmp_path / "pairs.csv")

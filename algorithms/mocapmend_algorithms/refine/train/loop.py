@@ -81,7 +81,8 @@ class Training:
         self.settings = settings
         self.curve: list[Round] = []
         torch.manual_seed(settings.seed)
-        self.network = Stack(settings.shape(profile), settings.dropout)
+        self._expected = settings.shape(profile).expected()
+        self.network = Stack(settings.trained_shape(profile), settings.dropout)
         whole = Drawer(pairs, profile, NO_CHANGES).round(self._rng(0, 0))
         self.scaling = Scaling.of(whole.joints, whole.markers)
         self._drawer = Drawer(pairs, profile, settings.changes)
@@ -146,10 +147,11 @@ class Training:
             raise ValueError("the state is of another training") from error
 
     def weights(self) -> dict[str, np.ndarray[Any, np.dtype[np.float32]]]:
-        """Return the weights as `refine.network` takes them."""
+        """Return the weights of `Settings.shape`, as `refine.network` takes them."""
+        state = self.network.state_dict()
         return {
-            name: np.array(tensor.detach().numpy(), dtype=np.float32)
-            for name, tensor in self.network.state_dict().items()
+            name: np.array(state[name].detach().numpy(), dtype=np.float32)
+            for name in self._expected
         }
 
     def _start_skip(self, whole: Drawn) -> None:

@@ -1,6 +1,6 @@
 """How a network is trained."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from mocapmend_algorithms.refine.network import Shape
 from mocapmend_algorithms.refine.profile import Profile
@@ -26,6 +26,9 @@ class Settings:
         With the linear skip.
     latent : float
         Weight of the latent loss Lc; 0 trains no perceptual autoencoder.
+    projected : bool
+        Whether the result is what the perceptual autoencoder makes of the stack's output, as in
+        the paper; else it is the stack's output, which is closer to the truth.
     bones, smoothness : float
         Weights of Lb and Ls in the second stage; the first has 0.4 of them, as the paper.
     first_rounds, rounds : int
@@ -50,6 +53,7 @@ class Settings:
     first_width: int = 64
     skip: bool = True
     latent: float = 1.0
+    projected: bool = False
     bones: float = 0.5
     smoothness: float = 10.0
     first_rounds: int = 30
@@ -68,6 +72,7 @@ class Settings:
             width=PRINTED_WIDTH,
             first_width=PRINTED_FIRST_WIDTH,
             skip=False,
+            projected=True,
             dropout=PRINTED_DROPOUT,
             first_rounds=PRINTED_ROUNDS,
             rounds=PRINTED_ROUNDS,
@@ -78,7 +83,12 @@ class Settings:
         )
 
     def shape(self, profile: Profile) -> Shape:
-        """Return the size of the network for a profile."""
+        """Return the size of the network for a profile, as it is used."""
+        trained = self.trained_shape(profile)
+        return replace(trained, perceptual=trained.perceptual and self.projected)
+
+    def trained_shape(self, profile: Profile) -> Shape:
+        """Return the size of the network as it is trained: for the latent loss it has one more."""
         return Shape(
             inputs=3 * len(profile.inputs),
             outputs=3 * len(profile.outputs),

@@ -3,6 +3,7 @@
 import argparse
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from threadpoolctl import threadpool_limits
@@ -42,6 +43,8 @@ PAIRS = Path("kinect") / "uiprmd_kinect22_vicon39.npz"
 RAW = "raw joints, beside the nearest markers"
 WITH_FILTER = ", 6 Hz"
 SHIPPED = "ships"
+PROJECTED = f"{BRA_S_C.name}, through the perceptual autoencoder"
+"""As the paper has it."""
 FRAMES_TIMED = {60: 6000, 1: 600}
 
 
@@ -91,6 +94,9 @@ def run(arguments: argparse.Namespace) -> Report:
         models = {one.name: model for one, model in found.items() if model is not None}
         if split == "seen" and DEFAULT in names():
             models[SHIPPED] = load_model(DEFAULT)
+        if BRA_S_C.name in models:
+            models[PROJECTED] = models[BRA_S_C.name]
+            models[BRA_S_C.name] = _unprojected(models[BRA_S_C.name])
         for name, model in models.items():
             ways[name] = _refining(model)
             ways[name + WITH_FILTER] = _smoothing(_refining(model))
@@ -117,6 +123,11 @@ def run(arguments: argparse.Namespace) -> Report:
 
 def _is_compared(row: tables.Row) -> bool:
     return row.way.removesuffix(WITH_FILTER) not in {network.name for network in STACKED}
+
+
+def _unprojected(model: Model) -> Model:
+    """Return a network whose result is what its stack makes."""
+    return replace(model, shape=replace(model.shape, perceptual=False))
 
 
 def _refining(model: Model) -> Predict:

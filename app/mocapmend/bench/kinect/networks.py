@@ -48,6 +48,7 @@ class Network:
             usual,
             stacks=self.stacks,
             latent=usual.latent if self.latent else 0.0,
+            projected=self.latent,
             rounds=rounds,
             first_rounds=first_rounds,
             seed=seed,
@@ -58,7 +59,7 @@ BRA = Network("BRA", 1, latent=False, splits=("seen", "unseen"))
 BRA_S = Network(f"BRA-S-{MOST}", MOST, latent=False, splits=("seen", "unseen"))
 BRA_S_C = Network("BRA-S-C", MOST, latent=True, splits=("seen", "unseen"))
 STACKED = tuple(Network(f"BRA-S-{n}", n, latent=False, splits=("seen",)) for n in range(2, MOST))
-NETWORKS = (BRA_S_C, BRA, BRA_S, *STACKED)
+NETWORKS = (BRA, BRA_S, BRA_S_C, *STACKED)
 """In the order in which they are trained."""
 
 

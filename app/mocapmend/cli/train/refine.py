@@ -100,6 +100,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--no-latent", action="store_true", help="leave out the perceptual autoencoder"
     )
     parser.add_argument(
+        "--projected",
+        action="store_true",
+        help="let the perceptual autoencoder make the result, as the paper does",
+    )
+    parser.add_argument(
         "--no-skip", action="store_true", help="leave out the linear skip, as the paper does"
     )
     parser.add_argument(
@@ -167,6 +172,7 @@ def _settings(arguments: argparse.Namespace) -> Settings:
         "rounds": arguments.rounds,
         "first_rounds": arguments.first_rounds,
         "latent": 0.0 if arguments.no_latent else None,
+        "projected": arguments.projected or None,
         "skip": False if arguments.no_skip else None,
         "changes": NO_CHANGES if arguments.no_changes else None,
         "seed": arguments.seed,
@@ -181,7 +187,7 @@ def _command(arguments: argparse.Namespace) -> str:
     if arguments.hold_out.numbers:
         numbers = ",".join(map(str, arguments.hold_out.numbers))
         words += ["--hold-out", f"{arguments.hold_out.by}s={numbers}"]
-    for name in ("printed", "no_latent", "no_skip", "no_changes"):
+    for name in ("printed", "no_latent", "projected", "no_skip", "no_changes"):
         if getattr(arguments, name):
             words.append(f"--{name.replace('_', '-')}")
     for name in ("stacks", "width", "rounds", "first_rounds"):
