@@ -11,6 +11,7 @@ _SAMPLES = (
     ("sprint_basketball.c3d", QT_TRANSLATE_NOOP("Samples", "Wheelchair sprint, many gaps")),
     ("gait_plug_in_gait.c3d", QT_TRANSLATE_NOOP("Samples", "Gait, Plug-in Gait, with fragments")),
     ("walk_cmu_02_01.c3d", QT_TRANSLATE_NOOP("Samples", "Walk, 41 markers, complete")),
+    ("squat_kinect.c3d", QT_TRANSLATE_NOOP("Samples", "Squat, 22 joints of a Kinect, to refine")),
 )
 
 
