@@ -9,6 +9,7 @@ from mocapmend_algorithms.arrays import BoolArray, FloatArray
 from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
+from mocapmend_algorithms.refine.calibrating import corrected
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.preparing import RATE, headings, prepare, turned
 from mocapmend_algorithms.refine.windows import Windows
@@ -65,7 +66,12 @@ class Refined:
 
 
 def refine(
-    recording: Recording, model: Model, params: RefineParams, progress: Progress, /
+    recording: Recording,
+    model: Model,
+    params: RefineParams,
+    progress: Progress,
+    offset: FloatArray | None = None,
+    /,
 ) -> Refined:
     """Refine a recording: its joints become the markers or joints of the model's profile.
 
@@ -79,6 +85,8 @@ def refine(
         How.
     progress : Progress
         Called after each few windows.
+    offset : ndarray, shape (outputs, 3), optional
+        A mean error in mm that is subtracted; see `calibrating`.
 
     Raises
     ------
@@ -94,6 +102,8 @@ def refine(
         )
     prepared = prepare(recording, model.profile)
     poses = refined_poses(prepared.joints, model, int(params.stride), progress)
+    if offset is not None:
+        poses = corrected(prepared.joints, poses, offset, model.profile)
     if cutoff is not None:
         poses = filtered(poses, cutoff)
     points = np.ascontiguousarray(prepared.undone(poses))

@@ -55,6 +55,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="what a better system has recorded meanwhile, to measure the outcome against; it may "
         "have begun up to a second earlier or later, and may have other axes",
     )
+    parser.add_argument(
+        "--calibrate",
+        nargs=2,
+        action="append",
+        default=[],
+        type=Path,
+        metavar=("RECORDING", "REFERENCE"),
+        help="another recording of the same person and what a better system has recorded "
+        "meanwhile: the mean error of each marker there is subtracted; may be given several times",
+    )
     parser.add_argument("--card", action="store_true", help="print what is known of the network")
     target.add_output(parser, "the computed markers: a C3D, TRC, CSV or NumPy file, by its ending")
 
@@ -76,6 +86,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         RefineParams(arguments.stride, arguments.cutoff),
         out,
         arguments.reference,
+        [(recording, reference) for recording, reference in arguments.calibrate],
         arguments.accept_truncated,
         console.progress,
     )
@@ -87,6 +98,7 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         model=arguments.model,
         profile=done.model.profile.id,
         stride=int(arguments.stride),
+        calibrated_with=[[str(path) for path in pair] for pair in arguments.calibrate],
         cutoff_hz=arguments.cutoff,
         frames=done.refined.recording.frames,
         markers=list(done.refined.recording.labels),

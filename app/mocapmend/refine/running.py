@@ -1,6 +1,6 @@
 """Refining a recording and writing the outcome as a file of its own."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -10,11 +10,14 @@ from mocapmend.files import Saved, Source, read_recording, write_recording
 from mocapmend.files.refinement import Refinement
 from mocapmend.files.sidecar import hash_file
 from mocapmend.refine.models import load_model, path_of
+from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.progress import Progress, part
+from mocapmend_algorithms.refine.calibrating import mean_error
 from mocapmend_algorithms.refine.comparing import Comparison, compare
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.preparing import RefineError
-from mocapmend_algorithms.refine.refining import Refined, RefineParams, refine
+from mocapmend_algorithms.refine.refining import Refined, RefineParams, refine, refined_poses
+from mocapmend_algorithms.refine.train.pairs import make_pair
 
 OUTCOME = "_refined.c3d"
 """What is put behind the name of a recording for the name of the outcome."""
@@ -55,6 +58,7 @@ def refine_file(
     params: RefineParams,
     out: Path,
     reference: Path | None,
+    calibration: Sequence[tuple[Path, Path]],
     accept_truncated: bool,  # noqa: FBT001 - a job passes its arguments by position
     progress: Progress,
 ) -> RefinedFile:
@@ -72,6 +76,9 @@ def refine_file(
         Where the outcome goes, of the format that its name says; what is there is replaced.
     reference : Path, optional
         A recording of the outputs, made beside the joints.
+    calibration : sequence of (Path, Path)
+        Other recordings of the same performer, each with a reference: the mean error there is
+        subtracted; see `calibrating`.
     accept_truncated : bool
         Whether the joints may be of a truncated file.
     progress : Progress
@@ -84,8 +91,9 @@ def refine_file(
     """
     model = load_model(name)
     truth = None if reference is None else read_recording(reference)
+    offset = _offset(model, params, calibration, part(progress, 0.0, 0.3))
     try:
-        refined = refine(source.measured, model, params, part(progress, 0.0, 0.8))
+        refined = refine(source.measured, model, params, part(progress, 0.3, 0.8), offset)
     except RefineError as error:
         raise _complaint(error, source.path, "Choose another network or recording.") from error
     comparison = None
@@ -100,7 +108,7 @@ def refine_file(
         refined.recording,
         (),
         out,
-        refined=_record(name, model, params),
+        refined=_record(name, model, params, calibration),
         accept_truncated=accept_truncated,
         progress=part(progress, 0.8, 1.0),
     )
@@ -112,9 +120,42 @@ def default_name(source: Path) -> str:
     return f"{source.stem}{OUTCOME}"
 
 
-def _record(name: str, model: Model, params: RefineParams) -> Refinement:
+def _offset(
+    model: Model,
+    params: RefineParams,
+    calibration: Sequence[tuple[Path, Path]],
+    progress: Progress,
+) -> FloatArray | None:
+    """Return the mean error of calibration recordings, None without any."""
+    if not calibration:
+        return None
+    pairs = []
+    for recording, reference in calibration:
+        given, truth = (read_recording(path).measured for path in (recording, reference))
+        try:
+            pairs.append(make_pair(given, truth, model.profile))
+        except RefineError as error:
+            raise _complaint(error, recording, "Leave this calibration out.") from error
+    steps = [part(progress, at / len(pairs), (at + 1) / len(pairs)) for at in range(len(pairs))]
+    made = [
+        refined_poses(pair.joints, model, int(params.stride), step)
+        for pair, step in zip(pairs, steps, strict=True)
+    ]
+    joints, markers = [pair.joints for pair in pairs], [pair.markers for pair in pairs]
+    return mean_error(joints, made, markers, model.profile)
+
+
+def _record(
+    name: str,
+    model: Model,
+    params: RefineParams,
+    calibration: Sequence[tuple[Path, Path]],
+) -> Refinement:
     path = path_of(name)
     given: dict[str, Any] = asdict(params)
+    if calibration:
+        # The files' contents, in pairs: names may lead elsewhere tomorrow.
+        given["calibration_sha256"] = tuple(hash_file(one) for pair in calibration for one in pair)
     return Refinement(path.stem, hash_file(path), model.profile.id, given)
 
 

@@ -65,10 +65,11 @@ def test_a_calibration_takes_a_constant_error_away_whatever_the_heading() -> Non
         own = np.array([0.9 * one.repetition])
         return one.markers + turned(np.broadcast_to(aside, (1, *one.markers.shape)), own)[0]
 
-    before, after = calibrated(pairs, predict, PROFILE)
-    assert before.position == pytest.approx((aside**2).mean(), rel=1e-6)
-    assert after.position < 0.02 * before.position
-    assert before.frames == after.frames == 6 * 200
+    found = calibrated("a", pairs, predict, PROFILE)
+    assert found.before.position == pytest.approx((aside**2).mean(), rel=1e-6)
+    assert found.one.position < 0.05 * found.before.position
+    assert found.each.position < 0.02 * found.before.position
+    assert found.before.frames == found.one.frames == found.each.frames == 6 * 200
 
 
 def test_networks_are_trained_once_and_found_again(

@@ -95,6 +95,27 @@ def test_a_reference_is_measured_against(run_json: Json, tmp_path: Path, profile
     assert set(found["rms_mm"]) == set(profile.outputs)
 
 
+def test_a_calibration_takes_the_mean_error_away(run_json: Json, tmp_path: Path) -> None:
+    profile = profile_named(PROFILES[0])
+    recording, reference = write_pair(tmp_path, profile)
+    pair = write_pair(tmp_path, profile, "other", seed=1)
+    model = write_model(tmp_path / "model.npz", profile, copies=True)
+    words = ["refine", recording, "--model", model, "--reference", reference]
+    code, plain = run_json(*words, "-o", tmp_path / "plain.c3d")
+    assert code == 0
+    out = tmp_path / "out.c3d"
+    code, made = run_json(*words, "-o", out, "--calibrate", *pair, "--calibrate", *pair)
+    assert code == 0
+    assert made["calibrated_with"] == [[str(path) for path in pair]] * 2
+    ratio = made["comparison"]["position_mm2"] / plain["comparison"]["position_mm2"]
+    assert ratio < 0.6
+    record = read_c3d(out).provenance.refined
+    assert len(record.parameters["calibration_sha256"]) == 4
+    code, wrong = run_json(*words, "-o", out, "--overwrite", "--calibrate", pair[1], pair[0])
+    assert code == 1
+    assert wrong["error"]["where"] == str(pair[1])
+
+
 def test_missing_joints_are_bridged_and_told(
     run_json: Json, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

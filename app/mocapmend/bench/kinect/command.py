@@ -11,7 +11,7 @@ from threadpoolctl import threadpool_limits
 from mocapmend.bench.arguments import add_data, at_least
 from mocapmend.bench.grid import Report
 from mocapmend.bench.kinect import tables
-from mocapmend.bench.kinect.few_shot import calibrated
+from mocapmend.bench.kinect.few_shot import Worth, calibrated
 from mocapmend.bench.kinect.networks import (
     BRA,
     BRA_S,
@@ -83,7 +83,7 @@ def run(arguments: argparse.Namespace) -> Report:
                 shelf.train(network, split, SPLITS[split].split(pairs)[0])
     rows: list[tables.Row] = []
     by_stacks: dict[Network, tuple[Model, Errors]] = {}
-    calibration = []
+    calibration: list[Worth] = []
     for split, held_out in SPLITS.items():
         learnt, rest = held_out.split(pairs)
         say(f"{split}: {len(learnt)} pairs to learn from, {len(rest)} held out")
@@ -112,7 +112,7 @@ def run(arguments: argparse.Namespace) -> Report:
         tables.stacks(by_stacks),
         tables.structures([BRA, BRA_S, BRA_S_C]),
         tables.comparison([row for row in rows if _is_compared(row)]),
-        tables.calibration(calibration),
+        tables.calibration(calibration, calibration[0].before.position),
     ]
     if DEFAULT in names():
         timed = _speeds(load_model(DEFAULT), SPLITS["seen"].split(pairs)[1], profile)
@@ -152,11 +152,9 @@ def _by_stacks(
     }
 
 
-def _calibration(
-    rest: Sequence[Pair], ways: dict[str, Predict], profile: Profile
-) -> list[tuple[str, Errors, Errors]]:
+def _calibration(rest: Sequence[Pair], ways: dict[str, Predict], profile: Profile) -> list[Worth]:
     chosen = [name for name in (RIDGE, BRA.name, BRA_S.name, BRA_S_C.name) if name in ways]
-    return [(name, *calibrated(rest, ways[name], profile)) for name in chosen]
+    return [calibrated(name, rest, ways[name], profile) for name in chosen]
 
 
 def _speeds(

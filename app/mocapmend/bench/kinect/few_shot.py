@@ -1,48 +1,61 @@
-"""What a paired calibration recording of a new performer is worth.
-
-Of each movement, the first repetition with a reference is taken: the mean error of each marker, as
-seen from the body, is subtracted from all others.
-"""
+"""What paired calibration recordings of a new performer are worth."""
 
 from collections.abc import Sequence
-
-import numpy as np
+from dataclasses import dataclass
 
 from mocapmend.refine.measuring import Predict
 from mocapmend_algorithms.arrays import FloatArray
+from mocapmend_algorithms.refine.calibrating import corrected, mean_error
 from mocapmend_algorithms.refine.measures import Errors, errors_of, pooled
-from mocapmend_algorithms.refine.preparing import headings, turned
 from mocapmend_algorithms.refine.profile import Profile
 from mocapmend_algorithms.refine.train.pairs import Pair
 
 
-def calibrated(pairs: Sequence[Pair], predict: Predict, profile: Profile) -> tuple[Errors, Errors]:
-    """Measure predictions of new performers, with and without their mean error subtracted.
+@dataclass(frozen=True)
+class Worth:
+    """Errors over the pairs that no calibration used, mm^2.
 
-    Returns
-    -------
-    (Errors, Errors)
-        Without and with calibration, both over the pairs that no calibration used.
+    Attributes
+    ----------
+    way : str
+        What was calibrated.
+    before : Errors
+        Without calibration.
+    one, each : Errors
+        With one repetition of one movement, and with one of each movement.
     """
-    plain, better = [], []
+
+    way: str
+    before: Errors
+    one: Errors
+    each: Errors
+
+
+def calibrated(way: str, pairs: Sequence[Pair], predict: Predict, profile: Profile) -> Worth:
+    """Measure predictions of new performers with and without calibration."""
+    found: dict[str, list[Errors]] = {"before": [], "one": [], "each": []}
     for performer in sorted({pair.performer for pair in pairs}):
         own = [pair for pair in pairs if pair.performer == performer]
-        first = {pair.movement: pair for pair in reversed(own)}
-        chosen = {id(pair) for pair in first.values()}
-        errors = [_seen_from_body(pair, predict(pair.joints), profile) for pair in first.values()]
-        offset = np.nanmean(np.concatenate(errors), axis=0)
-        for pair in own:
-            if id(pair) in chosen:
-                continue
-            poses = predict(pair.joints)
-            plain.append(errors_of(poses, pair.markers, profile))
-            angle = headings(pair.joints[None], profile)
-            shift = turned(np.broadcast_to(offset, (1, *poses.shape)), angle)[0]
-            better.append(errors_of(poses - shift, pair.markers, profile))
-    return pooled(plain), pooled(better)
+        poses = [predict(pair.joints) for pair in own]
+        movements = [pair.movement for pair in own]
+        first = [movements.index(movement) for movement in dict.fromkeys(movements)]
+        offsets = {"one": _error(own, poses, first[:1], profile)}
+        offsets["each"] = _error(own, poses, first, profile)
+        for at in set(range(len(own))).difference(first):
+            pair = own[at]
+            found["before"].append(errors_of(poses[at], pair.markers, profile))
+            for name, offset in offsets.items():
+                better = corrected(pair.joints, poses[at], offset, profile)
+                found[name].append(errors_of(better, pair.markers, profile))
+    return Worth(way, **{name: pooled(errors) for name, errors in found.items()})
 
 
-def _seen_from_body(pair: Pair, poses: FloatArray, profile: Profile) -> FloatArray:
-    error = (poses - pair.markers)[None]
-    seen: FloatArray = turned(error, -headings(pair.joints[None], profile))[0]
-    return seen
+def _error(
+    own: list[Pair], poses: list[FloatArray], chosen: list[int], profile: Profile
+) -> FloatArray:
+    return mean_error(
+        [own[at].joints for at in chosen],
+        [poses[at] for at in chosen],
+        [own[at].markers for at in chosen],
+        profile,
+    )

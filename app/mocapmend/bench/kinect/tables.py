@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from mocapmend.bench.grid import Cell, Column, Grid, share
+from mocapmend.bench.kinect.few_shot import Worth
 from mocapmend.bench.kinect.networks import Network
 from mocapmend_algorithms.refine.measures import Errors
 from mocapmend_algorithms.refine.model import Model
@@ -90,24 +91,28 @@ def comparison(rows: Sequence[Row]) -> Grid:
     return Grid("ways", "Errors on pairs held out", columns, [row.cells() for row in rows])
 
 
-def calibration(rows: Sequence[tuple[str, Errors, Errors]]) -> Grid:
-    """Return what a calibration recording is worth."""
+def calibration(rows: Sequence[Worth], ridge: float) -> Grid:
+    """Return what calibration recordings are worth, beside ridge regression without any (mm^2)."""
     cells: list[dict[str, Cell]] = [
         {
-            "way": way,
-            "before": before.position,
-            "after": after.position,
-            "ratio": after.position / before.position,
+            "way": row.way,
+            "before": row.before.position,
+            "one": row.one.position,
+            "each": row.each.position,
+            "ratio_one": row.one.position / ridge,
+            "ratio_each": row.each.position / ridge,
         }
-        for way, before, after in rows
+        for row in rows
     ]
     columns = (
         Column("way", "way"),
         Column("before", "Lp (mm²)", ".0f"),
-        Column("after", "Lp calibrated (mm²)", ".0f"),
-        Column("ratio", "ratio", ".2f"),
+        Column("one", "one repetition of one movement", ".0f"),
+        Column("each", "one of each", ".0f"),
+        Column("ratio_one", "one / ridge without", ".2f"),
+        Column("ratio_each", "one of each / ridge without", ".2f"),
     )
-    title = "A new performer with one paired repetition of each movement"
+    title = "Lp of performers that are not seen, calibrated by paired recordings of theirs"
     return Grid("calibration", title, columns, cells)
 
 
