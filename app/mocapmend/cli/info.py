@@ -13,6 +13,7 @@ from mocapmend.cli.console import Console
 from mocapmend.files import NO_CORRECTIONS, C3DFile, Corrections, ForcePlate, Layout, Source
 from mocapmend.files.corrections import KINDS
 from mocapmend.files.records import RecordedRun
+from mocapmend.files.refinement import Refinement
 from mocapmend_algorithms.gaps import count_gaps
 from mocapmend_algorithms.skeleton import Skeleton
 
@@ -104,6 +105,10 @@ def _corrections(source: Source) -> Corrections:
     return NO_CORRECTIONS if source.provenance is None else source.provenance.corrections
 
 
+def _refined(source: Source) -> Refinement | None:
+    return None if source.provenance is None else source.provenance.refined
+
+
 def _show_runs(
     console: Console,
     headers: Sequence[str],
@@ -152,6 +157,7 @@ def _content(source: Source, skeleton: Skeleton) -> dict[str, Any]:
         "analog": {"channels": len(source.analog_labels), "rate_hz": source.analog_rate},
         "repairs": [record.as_json() for record in source.repairs],
         "kept_open": [entry.as_json() for entry in source.kept_open.values()],
+        "refined": None if (made := _refined(source)) is None else made.as_json(),
         **{
             kind: [entry.as_json() for entry in getattr(_corrections(source), kind)]
             for kind in KINDS
@@ -235,4 +241,6 @@ def _summary(source: Source, skeleton: Skeleton) -> list[str]:
             f"{origin}, {bones} in {segments}" if skeleton.segments else f"{origin}, {bones}",
         ),
     ]
+    if (made := _refined(source)) is not None:
+        lines.append(("Computed by", f"the network “{made.model}”, {made.profile}; none measured"))
     return [f"{name + ':':<15}{text}" for name, text in lines]

@@ -46,6 +46,11 @@ def test_joints_become_markers(run_json: Json, tmp_path: Path, profile: Any) -> 
     assert (record.model, record.profile) == ("model", profile.id)
     assert record.parameters == {"stride": "60", "cutoff_hz": None}
     assert any("none was measured" in warning for warning in written.warnings)
+    code, told = run_json("info", out)
+    assert code == 0
+    assert told["refined"] == record.as_json()
+    code, told = run_json("info", recording)
+    assert told["refined"] is None
 
 
 @pytest.mark.parametrize("ending", [".csv", ".trc", ".npz", ".long.csv"])
