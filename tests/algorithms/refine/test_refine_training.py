@@ -187,4 +187,7 @@ def test_pairs_without_half_a_second_in_common_are_refused() -> None:
 def test_the_paper_s_settings_are_its_own() -> None:
     printed = Settings.printed()
     assert (printed.width, printed.first_width, printed.stacks) == (226, 128, 6)
-    assert (printed.batch, printed.step, printed.skip) == (16, 1e-5, False)
+    assert (printed.batch, printed.step, printed.dropout) == (16, 1e-5, 0.2)
+    assert (printed.skip, printed.projected, printed.changes) == (False, True, NO_CHANGES)
+    assert printed.bones == pytest.approx(3.48)
+    assert printed.smoothness == pytest.approx(10.62)

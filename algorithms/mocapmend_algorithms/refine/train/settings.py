@@ -5,11 +5,15 @@ from dataclasses import dataclass, field, replace
 from mocapmend_algorithms.refine.network import Shape
 from mocapmend_algorithms.refine.profile import Profile
 from mocapmend_algorithms.refine.train.drawing import NO_CHANGES, Changes
+from mocapmend_algorithms.refine.windows import LENGTH
 
 PRINTED_FIRST_WIDTH, PRINTED_WIDTH = 128, 226
 PRINTED_ROUNDS = 200
 PRINTED_STEP = 1e-5
 PRINTED_DROPOUT = 0.2
+PRINTED_WEIGHT = 5e-4
+"""Of sums over the frames of a window, and over bones or coordinates."""
+PRINTED_BONES, PRINTED_COORDINATES = 58, 177
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,8 @@ class Settings:
             first_width=PRINTED_FIRST_WIDTH,
             skip=False,
             projected=True,
+            bones=PRINTED_WEIGHT * LENGTH * PRINTED_BONES,
+            smoothness=PRINTED_WEIGHT * LENGTH * PRINTED_COORDINATES,
             dropout=PRINTED_DROPOUT,
             first_rounds=PRINTED_ROUNDS,
             rounds=PRINTED_ROUNDS,
