@@ -1,7 +1,7 @@
 """The losses of the training (Y23, equations 1 to 8), as means, in units of 100 mm.
 
-The paper prints Lp as a mean and Lb and Ls as sums over frames, bones and axes, with weights of 2e-4
-in the first stage and 5e-4 in the second. Weights of means do not grow with the body.
+The paper prints Lp as a mean and Lb and Ls as sums over frames, bones and axes, with weights of
+2e-4 in the first stage and 5e-4 in the second. Weights of means do not grow with the body.
 """
 
 from dataclasses import dataclass
