@@ -10,12 +10,13 @@ from mocapmend.files import Saved, Source, read_recording, write_recording
 from mocapmend.files.refinement import Refinement
 from mocapmend.files.sidecar import hash_file
 from mocapmend.refine.models import load_model, path_of
+from mocapmend.refine.profiles import profiles
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.progress import Progress, part
 from mocapmend_algorithms.refine.calibrating import mean_error
 from mocapmend_algorithms.refine.comparing import Comparison, compare
 from mocapmend_algorithms.refine.model import Model
-from mocapmend_algorithms.refine.preparing import RefineError
+from mocapmend_algorithms.refine.preparing import RefineError, labels_places
 from mocapmend_algorithms.refine.refining import Refined, RefineParams, refine, refined_poses
 from mocapmend_algorithms.refine.train.pairs import make_pair
 
@@ -95,7 +96,7 @@ def refine_file(
     try:
         refined = refine(source.measured, model, params, part(progress, 0.3, 0.8), offset)
     except RefineError as error:
-        raise _complaint(error, source.path, "Choose another network or recording.") from error
+        raise _complaint(error, source.path, _advice(source.recording.labels)) from error
     comparison = None
     if truth is not None:
         try:
@@ -157,6 +158,20 @@ def _record(
         # The files' contents, in pairs: names may lead elsewhere tomorrow.
         given["calibration_sha256"] = tuple(hash_file(one) for pair in calibration for one in pair)
     return Refinement(path.stem, hash_file(path), model.profile.id, given)
+
+
+def _advice(labels: Sequence[str]) -> str:
+    """Say what can be done about a recording that a network does not fit."""
+    for profile in profiles().values():
+        try:
+            labels_places(labels, profile.inputs, profile.name)
+        except RefineError:
+            continue
+        return (
+            f"Its joints are those of the profile {profile.id}: train a network for it with "
+            "“mocapmend train refine”, or choose one."
+        )
+    return "Choose another network or recording."
 
 
 def _complaint(error: RefineError, path: Path, todo: str) -> MocapmendError:

@@ -166,6 +166,7 @@ def test_a_profile_is_never_taken_for_another(run_json: Json, tmp_path: Path) ->
     code, made = run_json("refine", recording, "-o", tmp_path / "out.c3d", "--model", model)
     assert code == 1
     assert "the network is for other points" in made["error"]["what"].lower()
+    assert f"the profile {other.id}" in made["error"]["todo"]
     assert not (tmp_path / "out.c3d").exists()
 
 
