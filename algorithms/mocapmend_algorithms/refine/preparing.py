@@ -18,6 +18,10 @@ from mocapmend_algorithms.sparse.training_set import turn_up
 RATE = 60.0
 """Frames per second of what a network sees."""
 SAME_FRAME = 1e-6
+MOST_FRAMES = 1_000_000
+"""Of what a network sees: four and a half hours."""
+LARGEST_BODY = 1e5
+"""Millimetres between a joint and the root that can be meant: a hundred metres."""
 UP: UpAxis = "+z"
 
 
@@ -76,11 +80,17 @@ def prepare(recording: Recording, profile: Profile) -> Prepared:
     Raises
     ------
     RefineError
-        If a joint is not there, or has fewer than two samples.
+        If a joint is not there, has fewer than two samples or is impossibly far away, or the
+        recording is too short or too long.
     """
     places = labels_places(recording.labels, profile.inputs, profile.name)
     if recording.frames < 2:
         raise RefineError("the recording has fewer than two frames")
+    if recording.frames / recording.rate * RATE > MOST_FRAMES:
+        raise RefineError(
+            f"the recording is too long: {recording.frames / recording.rate:.0f} s of at most "
+            f"{MOST_FRAMES / RATE:.0f} s"
+        )
     points = recording.points[:, places] * recording.mm @ turn_up(recording.up, UP).T
     seen = recording.present[:, places]
     if scarce := [profile.inputs[at] for at in np.flatnonzero(seen.sum(axis=0) < 2)]:
@@ -88,7 +98,14 @@ def prepare(recording: Recording, profile: Profile) -> Prepared:
     bridge_gaps(points)
     sampled = at_rate(points, recording.rate, RATE)
     root = root_track(sampled, profile.input_root)
-    return Prepared(sampled - root, root, ~seen, recording)
+    joints = sampled - root
+    if not np.abs(joints).max() <= LARGEST_BODY:
+        worst = int(np.abs(joints).max(axis=(0, 2)).argmax())
+        raise RefineError(
+            f"{profile.inputs[worst]} is impossibly far from the root: more than "
+            f"{LARGEST_BODY / 1000:.0f} m"
+        )
+    return Prepared(joints, root, ~seen, recording)
 
 
 def labels_places(labels: Sequence[str], wanted: Sequence[str], name: str) -> list[int]:

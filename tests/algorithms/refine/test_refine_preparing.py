@@ -145,6 +145,16 @@ def test_other_joints_are_refused(labels: tuple[str, ...], what: str) -> None:
         prepare(Recording(points, labels, 30.0), PROFILE)
 
 
+def test_impossible_recordings_are_refused() -> None:
+    joints, _ = move(50, 30.0)
+    with pytest.raises(RefineError, match="too long: 50000 s"):
+        prepare(Recording(joints, PROFILE.inputs, 1e-3), PROFILE)
+    for far in (1e6, 1e30):
+        joints[20, 4] = far
+        with pytest.raises(RefineError, match="RightHand is impossibly far"):
+            prepare(Recording(joints, PROFILE.inputs, 30.0), PROFILE)
+
+
 def test_a_joint_that_is_never_seen_is_refused() -> None:
     joints, _ = move(50, 30.0)
     joints[1:, 3] = np.nan
