@@ -150,9 +150,10 @@ def test_impossible_recordings_are_refused() -> None:
     with pytest.raises(RefineError, match="too long: 50000 s"):
         prepare(Recording(joints, PROFILE.inputs, 1e-3), PROFILE)
     for far in (1e6, 1e30):
-        joints[20, 4] = far
+        wild = joints.copy()
+        wild[20, 4] = far
         with pytest.raises(RefineError, match="RightHand is impossibly far"):
-            prepare(Recording(joints, PROFILE.inputs, 30.0), PROFILE)
+            prepare(Recording(wild, PROFILE.inputs, 30.0), PROFILE)
 
 
 def test_a_joint_that_is_never_seen_is_refused() -> None:
