@@ -17,6 +17,7 @@ from mocapmend_algorithms.refine.calibrating import mean_error
 from mocapmend_algorithms.refine.comparing import Comparison, compare
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.preparing import RefineError, labels_places
+from mocapmend_algorithms.refine.profile import Profile
 from mocapmend_algorithms.refine.refining import Refined, RefineParams, refine, refined_poses
 from mocapmend_algorithms.refine.train.pairs import make_pair
 
@@ -96,7 +97,9 @@ def refine_file(
     try:
         refined = refine(source.measured, model, params, part(progress, 0.3, 0.8), offset)
     except RefineError as error:
-        raise _complaint(error, source.path, _advice(source.recording.labels)) from error
+        raise _complaint(
+            error, source.path, _advice(source.recording.labels, model.profile)
+        ) from error
     comparison = None
     if truth is not None:
         try:
@@ -160,18 +163,25 @@ def _record(
     return Refinement(path.stem, hash_file(path), model.profile.id, given)
 
 
-def _advice(labels: Sequence[str]) -> str:
-    """Say what can be done about a recording that a network does not fit."""
+def _advice(labels: Sequence[str], wanted: Profile) -> str:
+    """Say what can be done about a recording that a network cannot take."""
+    if _fits(labels, wanted):
+        return "Put the recording right first, or choose another one."
     for profile in profiles().values():
-        try:
-            labels_places(labels, profile.inputs, profile.name)
-        except RefineError:
-            continue
-        return (
-            f"Its joints are those of the profile {profile.id}: train a network for it with "
-            "“mocapmend train refine”, or choose one."
-        )
+        if _fits(labels, profile):
+            return (
+                f"Its joints are those of the profile {profile.id}: train a network for it with "
+                "“mocapmend train refine”, or choose one."
+            )
     return "Choose another network or recording."
+
+
+def _fits(labels: Sequence[str], profile: Profile) -> bool:
+    try:
+        labels_places(labels, profile.inputs, profile.name)
+    except RefineError:
+        return False
+    return True
 
 
 def _complaint(error: RefineError, path: Path, todo: str) -> MocapmendError:

@@ -170,6 +170,18 @@ def test_a_profile_is_never_taken_for_another(run_json: Json, tmp_path: Path) ->
     assert not (tmp_path / "out.c3d").exists()
 
 
+def test_joints_that_are_never_seen_are_to_be_put_right_first(
+    run_json: Json, tmp_path: Path
+) -> None:
+    profile = profile_named(PROFILES[0])
+    recording, _ = write_pair(tmp_path, profile, hole=(4, 0, 149))
+    model = write_model(tmp_path / "model.npz", profile)
+    code, made = run_json("refine", recording, "-o", tmp_path / "out.c3d", "--model", model)
+    assert code == 1
+    assert f"never seen: {profile.inputs[4]}" in made["error"]["what"]
+    assert made["error"]["todo"].startswith("Put the recording right first")
+
+
 @pytest.mark.parametrize("model", ["nobody", "model.txt", "folder"])
 def test_what_is_no_network_is_refused(run_json: Json, tmp_path: Path, model: str) -> None:
     recording, _ = write_pair(tmp_path, profile_named(PROFILES[0]))
