@@ -72,7 +72,7 @@ def test_what_ships_is_listed_by_name(tmp_path: Path, source: Source) -> None:
         write_set(shipped.FOLDER / f"{name}.npz", source.measured)
     assert shipped.names() == ("a", "b")
     assert shipped.path_of("a") == tmp_path / "shipped" / "a.npz"
-    with pytest.raises(KeyError, match="no training set 'c'"):
+    with pytest.raises(KeyError, match="nothing called 'c'"):
         shipped.path_of("c")
     assert training.path_of("../shipped/a") == Path("../shipped/a")
 

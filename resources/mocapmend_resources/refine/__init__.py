@@ -8,27 +8,20 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-SUFFIX = ".npz"
+from mocapmend_resources.archives import names_in, path_in
+
 PROFILE = ".toml"
 FOLDER = Path(str(files(__name__)))
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of the networks that ship with the program, in order."""
-    return tuple(sorted(path.stem for path in FOLDER.glob(f"*{SUFFIX}")))
+    """Return the names of the networks that ship with the program."""
+    return names_in(FOLDER)
 
 
 def path_of(name: str) -> Path:
-    """Return where a network is.
-
-    Raises
-    ------
-    KeyError
-        If none of this name ships with the program.
-    """
-    if name not in names():
-        raise KeyError(f"there is no network {name!r}")
-    return FOLDER / f"{name}{SUFFIX}"
+    """Return where a network is; `KeyError` if none of this name ships with the program."""
+    return path_in(FOLDER, name)
 
 
 def profiles() -> dict[str, dict[str, Any]]:

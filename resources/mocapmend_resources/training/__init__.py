@@ -3,23 +3,16 @@
 from importlib.resources import files
 from pathlib import Path
 
-SUFFIX = ".npz"
+from mocapmend_resources.archives import names_in, path_in
+
 FOLDER = Path(str(files(__name__)))
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of the training sets that ship with the program, in order."""
-    return tuple(sorted(path.stem for path in FOLDER.glob(f"*{SUFFIX}")))
+    """Return the names of the training sets that ship with the program."""
+    return names_in(FOLDER)
 
 
 def path_of(name: str) -> Path:
-    """Return where a training set is.
-
-    Raises
-    ------
-    KeyError
-        If none of this name ships with the program.
-    """
-    if name not in names():
-        raise KeyError(f"there is no training set {name!r}")
-    return FOLDER / f"{name}{SUFFIX}"
+    """Return where a training set is; `KeyError` if none of this name ships with the program."""
+    return path_in(FOLDER, name)
