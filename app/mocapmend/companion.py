@@ -12,11 +12,12 @@ from mocapmend.errors import MocapmendError
 from mocapmend.files import Provenance, Source, read_recording
 from mocapmend.files.sidecar import hash_file
 from mocapmend.refine.judging import Judged, judge
-from mocapmend_algorithms import Progress, Recording
+from mocapmend_algorithms import Progress, Recording, no_progress
+from mocapmend_algorithms.alignment import turns
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.progress import part
-from mocapmend_algorithms.refine.aligning import align_in_time
+from mocapmend_algorithms.refine.aligning import LEAST_SHARED, align_in_time
 from mocapmend_algorithms.refine.preparing import RATE, RefineError, at_rate, bridge_gaps
 from mocapmend_algorithms.skeleton import match_template
 from mocapmend_algorithms.sparse.training_set import turn_up
@@ -219,16 +220,22 @@ def _fit(
     steady = at_rate(steady, own.rate, RATE)[:LONGEST_FIT]
     last = (len(points) - 1) / rate
     times = np.arange(min(LONGEST_FIT, int(last * RATE + SAME_FRAME) + 1)) / RATE
-    seen = _sampled(points[:, theirs], rate, times, lambda _: None)
+    seen = _sampled(points[:, theirs], rate, times, no_progress)
     try:
         found = align_in_time(steady, seen)
     except RefineError:
         return None
     first, end = max(0, found.lag), min(len(steady), len(seen) + found.lag)
-    off = steady[first:end] - seen[first - found.lag : end - found.lag] @ found.rotation
-    # As for the rotation: frames in which all are seen.
-    complete = off[~np.isnan(off).any(axis=(1, 2))]
-    return found.rotation, complete.mean(axis=(0, 1)), found.seconds
+    theirs_then = seen[first - found.lag : end - found.lag]
+    measured = _sampled(own.points[:, mine], own.rate, np.arange(len(steady)) / RATE, no_progress)
+    ours = measured[first:end]
+    complete = ~np.isnan(ours + theirs_then).any(axis=(1, 2))
+    if np.count_nonzero(complete) < LEAST_SHARED:
+        # What was bridged has a say where there is nothing better.
+        ours, complete = steady[first:end], ~np.isnan(theirs_then).any(axis=(1, 2))
+    one, other = (each[complete].reshape(-1, 3) for each in (ours, theirs_then))
+    rotation = turns((other - other.mean(axis=0)).T @ (one - one.mean(axis=0)))
+    return rotation, one.mean(axis=0) - other.mean(axis=0) @ rotation, found.seconds
 
 
 def _common(

@@ -94,12 +94,13 @@ class CompanionPainter:
         partner = None if curve is None else self.partner(curve)
         if self._companion is None or curve is None or partner is None:
             return
-        metrics = painter.fontMetrics()
-        text = f"{DASH}{self._name(partner)} · {self._companion.path.name}"
+        metrics, room = painter.fontMetrics(), int(rect.width()) - 10
+        text = DASH + self._name(partner)
         if lane.quantity is not Quantity.BONE and self._name(partner) != names[curve.marker]:
-            text = f"{DASH}{self._name(partner)} ≈ {names[curve.marker]} · "
-            text += self._companion.path.name
-        text = elided(text, metrics, int(rect.width()) - 10)
+            text += f" ≈ {names[curve.marker]}"
+        longer = f"{text} · {self._companion.path.name}"
+        # The 3D view names the file, too.
+        text = longer if metrics.horizontalAdvance(longer) <= room else elided(text, metrics, room)
         painter.setPen(QColor(theme.companion))
         left = rect.right() - 5 - metrics.horizontalAdvance(text)
         place = QPointF(left, rect.bottom() - 3 - metrics.descent())

@@ -34,6 +34,8 @@ class NetworkBox(QWidget):
         first = max(0, self.combo.findData(models.DEFAULT)) if self.combo.count() else -1
         self.combo.setCurrentIndex(last if last >= 0 else first)
         self.choosing = QPushButton(self.tr("Choose file…"))
+        # Enter begins what the dialog is for.
+        self.choosing.setAutoDefault(False)
         self.choosing.clicked.connect(self._ask)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -33,6 +33,8 @@ class PathField(QWidget):
         self.edit.textChanged.connect(self._tell)
         self.browse = QPushButton(self.tr("Browse…"))
         self.browse.setAccessibleName(self.tr("Browse: {0}").format(name))
+        # Enter begins what the dialog is for.
+        self.browse.setAutoDefault(False)
         self.browse.clicked.connect(self._choose)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

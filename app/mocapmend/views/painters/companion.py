@@ -14,7 +14,6 @@ translate = QCoreApplication.translate
 RING = 2.5
 """Radius of its points: open, where the document's are filled."""
 GROUND = 210
-LEAST_NAME = "M" * 8
 
 
 def paint_companion(shot: Shot, companion: Companion, *, sticks: bool) -> None:
@@ -34,32 +33,34 @@ def paint_key(shot: Shot, companion: Companion | None) -> float:
     if companion is None:
         return MARGIN
     painter, metrics = shot.painter, shot.painter.fontMetrics()
-    line = metrics.height()
-    room = int(max(metrics.horizontalAdvance(LEAST_NAME), shot.width - 2 * MARGIN - 2 * line))
-    own = elided(shot.document.source.path.name, metrics, room)
-    beside = elided(f"{companion.path.name} ({_way(companion)})", metrics, room)
-    width = max(map(metrics.horizontalAdvance, (own, beside))) + line + 4
-    box = QRectF(MARGIN, MARGIN, width, 2 * line)
-    ground = QColor(shot.theme.base)
+    line, theme = metrics.height(), shot.theme
+    indent = line + 4
+    room = int(shot.width - 2 * MARGIN - indent)
+    texts = (shot.document.source.path.name, companion.path.name, _way(companion))
+    rows = [elided(text, metrics, room) for text in texts]
+    width = max(map(metrics.horizontalAdvance, rows)) + indent
+    box = QRectF(MARGIN, MARGIN, width, len(rows) * line)
+    ground = QColor(theme.base)
     ground.setAlpha(GROUND)
     painter.fillRect(box.adjusted(-4, -2, 4, 2), ground)
     middle = QPointF(MARGIN + line / 2, MARGIN + line / 2)
-    painter.setPen(QPen(QColor(shot.theme.marker), 6.0, c=Qt.PenCapStyle.RoundCap))
+    painter.setPen(QPen(QColor(theme.marker), 6.0, c=Qt.PenCapStyle.RoundCap))
     painter.drawPoint(middle)
-    shot.pen(shot.theme.companion, 1.4)
+    shot.pen(theme.companion, 1.4)
     painter.drawEllipse(middle + QPointF(0, line), RING, RING)
-    for row, (text, colour) in enumerate(((own, shot.theme.text), (beside, shot.theme.dim))):
+    for row, (text, colour) in enumerate(
+        zip(rows, (theme.text, theme.text, theme.dim), strict=True)
+    ):
         painter.setPen(QColor(colour))
-        place = QPointF(MARGIN + line + 4, MARGIN + row * line + metrics.ascent())
-        painter.drawText(place, text)
+        painter.drawText(QPointF(MARGIN + indent, MARGIN + row * line + metrics.ascent()), text)
     return box.bottom() + 6.0
 
 
 def _way(companion: Companion) -> str:
     """Say how it was brought beside the document."""
     if companion.way == "origin":
-        return translate("Scene", "what it was made from")
+        return translate("Scene", "that is what it was made from")
     if companion.way == "as it is":
-        return translate("Scene", "compared, in its own place")
-    text = translate("Scene", "compared, turned and shifted to fit, {0} ms later")
+        return translate("Scene", "in its own place")
+    text = translate("Scene", "turned and shifted to fit, {0} ms later")
     return text.format(f"{1000 * companion.lag:+.0f}")
