@@ -1,39 +1,24 @@
 """A recording that is looked at beside another one, brought to its frames, unit and axes. No Qt."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
+from mocapmend.beside import Way, bare_name, bring, places_of
 from mocapmend.bones import stated_skeleton
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Provenance, Source, read_recording
 from mocapmend.files.sidecar import hash_file
 from mocapmend.refine.judging import Judged, judge
-from mocapmend_algorithms import Progress, Recording, no_progress
-from mocapmend_algorithms.alignment import turns
+from mocapmend_algorithms import Progress, Recording
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.progress import part
-from mocapmend_algorithms.refine.aligning import LEAST_SHARED, align_in_time
-from mocapmend_algorithms.refine.preparing import RATE, RefineError, at_rate, bridge_gaps
 from mocapmend_algorithms.skeleton import match_template
-from mocapmend_algorithms.sparse.training_set import turn_up
 from mocapmend_resources import skeletons
 
-LEAST_COMMON = 3
-"""Labels in common with which another recording is turned and shifted to fit."""
-WELL_SEEN = 0.9
-"""Share of the frames in which a marker must be there to have a say in that."""
-LONGEST_FIT = 3600
-"""Frames at 60 per second that have one: a minute says it all."""
 MOST_COMPARED = 500
 """Frames from which it is told what is near."""
-SAME_FRAME = 1e-6
-
-Way = Literal["origin", "fitted", "as it is"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,54 +106,6 @@ def load(
     return companion
 
 
-def bring(
-    own: Recording, other: Recording, progress: Progress, *, origin: bool = False
-) -> tuple[Recording, Way, float]:
-    """Bring a recording to the frames, unit and axes of another one.
-
-    Where at least three labels are common, the lag and the rotation that fit best are found as
-    `align_in_time` does, and the shift that is left.
-
-    Parameters
-    ----------
-    own : Recording
-        Of the frames that are wanted.
-    other : Recording
-        Of any rate, unit and axes.
-    progress : Progress
-        Called often; may cancel.
-    origin : bool
-        Whether `own` was made from it: then it stays where it is.
-
-    Returns
-    -------
-    Recording
-        With the labels of the other one.
-    str
-        As `Companion.way`.
-    float
-        Lag in seconds.
-    """
-    points = other.points * (other.mm / own.mm) @ turn_up(other.up, own.up).T
-    way: Way = "origin" if origin else "as it is"
-    lag = 0.0
-    fit = None if origin else _fit(own, other.labels, points, other.rate)
-    if fit is not None:
-        way, (rotation, shift, lag) = "fitted", fit
-        points = points @ rotation + shift
-    progress(0.5)
-    times = np.arange(own.frames) / own.rate - lag
-    found = Recording(
-        _sampled(points, other.rate, times, part(progress, 0.5, 1.0)),
-        other.labels,
-        own.rate,
-        unit=own.unit,
-        up=own.up,
-        first_frame=own.first_frame,
-    )
-    return found, way, lag
-
-
 def partners_of(own: Recording, other: Recording) -> tuple[int | None, ...]:
     """Find for each marker its partner in a recording of the same frames.
 
@@ -178,8 +115,8 @@ def partners_of(own: Recording, other: Recording) -> tuple[int | None, ...]:
         The point of the same label, whatever its subject and case; else the nearest on average
         over the frames in which both are there; None where there is no such frame.
     """
-    places = dict(_places(other.labels))
-    named = [places.get(_bare(label)) for label in own.labels]
+    places = dict(places_of(other.labels))
+    named = [places.get(bare_name(label)) for label in own.labels]
     step = max(1, own.frames // MOST_COMPARED)
     ours, theirs = own.points[::step], other.points[::step]
     return tuple(
@@ -197,101 +134,6 @@ def _nearest(track: FloatArray, others: FloatArray) -> int | None:
     means = np.full(len(counts), np.inf)
     np.divide(np.where(there, distance, 0.0).sum(axis=0), counts, out=means, where=counts > 0)
     return int(np.argmin(means))
-
-
-def _fit(
-    own: Recording, labels: Sequence[str], points: FloatArray, rate: float
-) -> tuple[FloatArray, FloatArray, float] | None:
-    """Find rotation, shift and lag that bring points onto a recording by their common labels.
-
-    Returns
-    -------
-    tuple or None
-        The rotation, shape (3, 3), for points @ rotation, the shift, shape (3,), and seconds;
-        None where too little is common.
-    """
-    if min(own.frames, len(points)) < 2:
-        return None
-    mine, theirs = _common(own, labels, points)
-    if len(mine) < LEAST_COMMON:
-        return None
-    steady = own.points[:, mine].copy()
-    bridge_gaps(steady)
-    steady = at_rate(steady, own.rate, RATE)[:LONGEST_FIT]
-    last = (len(points) - 1) / rate
-    times = np.arange(min(LONGEST_FIT, int(last * RATE + SAME_FRAME) + 1)) / RATE
-    seen = _sampled(points[:, theirs], rate, times, no_progress)
-    try:
-        found = align_in_time(steady, seen)
-    except RefineError:
-        return None
-    first, end = max(0, found.lag), min(len(steady), len(seen) + found.lag)
-    theirs_then = seen[first - found.lag : end - found.lag]
-    measured = _sampled(own.points[:, mine], own.rate, np.arange(len(steady)) / RATE, no_progress)
-    ours = measured[first:end]
-    complete = ~np.isnan(ours + theirs_then).any(axis=(1, 2))
-    if np.count_nonzero(complete) < LEAST_SHARED:
-        # What was bridged has a say where there is nothing better.
-        ours, complete = steady[first:end], ~np.isnan(theirs_then).any(axis=(1, 2))
-    one, other = (each[complete].reshape(-1, 3) for each in (ours, theirs_then))
-    rotation = turns((other - other.mean(axis=0)).T @ (one - one.mean(axis=0)))
-    return rotation, one.mean(axis=0) - other.mean(axis=0) @ rotation, found.seconds
-
-
-def _common(
-    own: Recording, labels: Sequence[str], points: FloatArray
-) -> tuple[list[int], list[int]]:
-    """Return the places of common labels in both, of those that are well seen if they suffice."""
-    places = dict(_places(labels))
-    pairs = [(k, places[name]) for name, k in _places(own.labels) if name in places]
-    shares = (own.present.mean(axis=0), (~np.isnan(points[..., 0])).mean(axis=0))
-    least = [min(shares[0][k], shares[1][j]) for k, j in pairs]
-    well = [pair for pair, share in zip(pairs, least, strict=True) if share >= WELL_SEEN]
-    counts = (own.present.sum(axis=0), (~np.isnan(points[..., 0])).sum(axis=0))
-    seen = [pair for pair in pairs if min(counts[0][pair[0]], counts[1][pair[1]]) >= 2]
-    chosen = well if len(well) >= LEAST_COMMON else seen
-    return [k for k, _ in chosen], [j for _, j in chosen]
-
-
-def _places(labels: Sequence[str]) -> list[tuple[str, int]]:
-    """Return names and places of the labels that are there once."""
-    names = [_bare(label) for label in labels]
-    return [(name, k) for k, name in enumerate(names) if name and names.count(name) == 1]
-
-
-def _bare(label: str) -> str:
-    return without_subject(label).upper()
-
-
-def _sampled(points: FloatArray, rate: float, times: FloatArray, progress: Progress) -> FloatArray:
-    """Sample points at times (s from their first frame): NaN outside and beside what is missing.
-
-    Between frames on natural cubic splines, one point after the other: each call into scipy keeps
-    the window waiting.
-    """
-    place = times * rate
-    near = np.rint(place)
-    place = np.where(np.abs(place - near) < SAME_FRAME * max(1.0, rate), near, place)
-    inside = (place >= 0) & (place <= len(points) - 1)
-    found = np.full((len(times), *points.shape[1:]), np.nan)
-    low, high = (end(place[inside]).astype(np.int64) for end in (np.floor, np.ceil))
-    if np.array_equal(low, high):
-        found[inside] = points[low]
-        progress(1.0)
-        return found
-    from scipy.interpolate import CubicSpline
-
-    missing = np.isnan(points[..., 0])
-    for k in range(points.shape[1]):
-        progress(k / points.shape[1])
-        if np.count_nonzero(~missing[:, k]) < 2:
-            continue
-        track = points[:, k : k + 1].copy()
-        bridge_gaps(track)
-        values = CubicSpline(np.arange(len(track)), track[:, 0], bc_type="natural")(place[inside])
-        values[missing[low, k] | missing[high, k]] = np.nan
-        found[inside, k] = values
-    return found
 
 
 def _bones(source: Source) -> tuple[tuple[int, int], ...]:

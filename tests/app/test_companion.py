@@ -10,7 +10,8 @@ from refine_networks import write_kinect22, write_network
 from scipy.spatial.transform import Rotation
 
 from mocapmend import companion
-from mocapmend.companion import bring, partners_of
+from mocapmend.beside import bring
+from mocapmend.companion import partners_of
 from mocapmend.errors import MocapmendError
 from mocapmend.files import Provenance, read_recording
 from mocapmend.files.sidecar import hash_file
