@@ -139,6 +139,8 @@ class RefineDialog(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.go = buttons.addButton(self.tr("Refine"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.go.setDefault(True)
+        # Enter gives nothing up while it cannot begin.
+        buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         buttons.accepted.connect(self._choose)
         buttons.rejected.connect(self.reject)
         top = QFormLayout()
