@@ -50,7 +50,7 @@ def errors(judged: Judged) -> Table:
     ]
     return Table(
         (
-            Column("", "name"),
+            Column("Recording", "name"),
             Column("Lp (mm²)"),
             Column("Lb (mm²)"),
             Column("Ls (mm²)"),

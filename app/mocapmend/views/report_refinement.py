@@ -41,7 +41,8 @@ class RefinementPage(QWidget):
         scrolled.setWidget(self.text)
         scrolled.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.errors = self._table(
-            self.tr("Errors against the reference"), ("", "Lp (mm²)", "Lb (mm²)", "Ls (mm²)")
+            self.tr("Errors against the reference"),
+            (self.tr("Recording"), "Lp (mm²)", "Lb (mm²)", "Ls (mm²)"),
         )
         self.errors.setToolTip(shown(MEANINGS))
         titles = (self.tr("Marker"), self.tr("RMS distance (mm)"))
