@@ -6,17 +6,32 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication
 
 from mocapmend.refine.card import CAUTION, NEW_PEOPLE, card_rows
+from mocapmend.translate import QT_TRANSLATE_NOOP
 from mocapmend.views.engine_texts import shown
 from mocapmend_algorithms.refine.model import Model
 
 translate = QCoreApplication.translate
 
+WORDS = (
+    QT_TRANSLATE_NOOP("ModelCard", "About"),
+    QT_TRANSLATE_NOOP("ModelCard", "Trained on"),
+    QT_TRANSLATE_NOOP("ModelCard", "Held out"),
+    QT_TRANSLATE_NOOP("ModelCard", "Network"),
+    QT_TRANSLATE_NOOP("ModelCard", "Made by"),
+    QT_TRANSLATE_NOOP("ModelCard", "nothing is said"),
+    QT_TRANSLATE_NOOP("ModelCard", "nothing"),
+    QT_TRANSLATE_NOOP("ModelCard", "nobody says"),
+    QT_TRANSLATE_NOOP("ModelCard", "network"),
+    QT_TRANSLATE_NOOP("ModelCard", "network, 6 Hz"),
+    QT_TRANSLATE_NOOP("ModelCard", "ridge on 5 Hz Butterworth"),
+)
+"""Headings and words of a card; too short to be looked for in all sentences."""
+
 
 def card_html(model: Model) -> str:
     """Return the card of a network as rich text."""
     rows = "".join(
-        f"<tr><td style='padding-right: 12px'>{escape(shown(heading))}</td>"
-        f"<td>{escape(shown(text))}</td></tr>"
+        f"<tr><td style='padding-right: 12px'>{_word(heading)}</td><td>{_word(text)}</td></tr>"
         for heading, text in card_rows(model)
     )
     return (
@@ -33,7 +48,7 @@ def _figures(card: Any) -> str:
         return f"<p>{escape(text)}</p>"
     head = translate("ModelCard", "Measured on {0} pairs held out:")
     rows = "".join(
-        f"<tr><td>{escape(shown(str(name)))}</td>"
+        f"<tr><td>{_word(str(name))}</td>"
         + "".join(
             f"<td align='right' style='padding-left: 16px'>{_number(row, key, decimals)}</td>"
             for key, decimals in (
@@ -63,3 +78,8 @@ def _figures(card: Any) -> str:
 def _number(row: Any, key: str, decimals: int) -> str:
     value = row.get(key) if isinstance(row, dict) else None
     return f"{value:.{decimals}f}" if isinstance(value, (int, float)) else "–"
+
+
+def _word(text: str) -> str:
+    """Return what a card says in the user's language, or as it is."""
+    return escape(translate("ModelCard", text) if text in WORDS else shown(text))

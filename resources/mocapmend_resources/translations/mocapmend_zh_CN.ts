@@ -204,6 +204,10 @@
         <translation>填补限值内的全部缺失段</translation>
     </message>
     <message>
+        <source>Refine by a network…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Smooth the chosen markers</source>
         <translation>平滑所选范围的标记点</translation>
     </message>
@@ -378,6 +382,18 @@
     <message>
         <source>Measure the selection</source>
         <translation>测量所选标记点</translation>
+    </message>
+    <message>
+        <source>Compare with recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the compared recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Zoom in on the time axis</source>
@@ -865,6 +881,41 @@
     <message>
         <source>and {0} more</source>
         <translation>另有 {0} 项</translation>
+    </message>
+</context>
+<context>
+    <name>CompanionActions</name>
+    <message>
+        <source>Compare with a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Reading {0} to compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recording is compared with this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No longer compared with {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compared with {0}, from which this recording was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compared with {0}, turned and shifted so that common labels fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compared with {0} in its own place: fewer than three labels are common, or too little of the time is.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2553,6 +2604,21 @@
     </message>
 </context>
 <context>
+    <name>ModelCard</name>
+    <message>
+        <source>Nothing was held out: how good it is was not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured on {0} pairs held out:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lp: mean square error of a coordinate. Lb: of bone lengths. Ls: mean square second difference of a coordinate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NamesEdit</name>
     <message>
         <source>automatic</source>
@@ -2573,6 +2639,33 @@
     <message>
         <source>To take markers, Ctrl+click them in the list.</source>
         <translation>要取用标记点，请在列表中按住 Ctrl 点击。</translation>
+    </message>
+</context>
+<context>
+    <name>NetworkBox</name>
+    <message>
+        <source>Network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Networks (*.npz)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +2861,17 @@ It holds {0}.</source>
     <message>
         <source>automatic</source>
         <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation type="unfinished">浏览…</translation>
+    </message>
+    <message>
+        <source>Browse: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3440,6 +3544,238 @@ It holds {0}.</source>
     </message>
 </context>
 <context>
+    <name>RefineActions</name>
+    <message>
+        <source>Refining {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} markers computed in {1} frames, none measured: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints that were missing at times were bridged: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RefineChecks</name>
+    <message>
+        <source>There is no reference of this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say where the outcome goes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name of the outcome must end in one of {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no folder for the outcome.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outcome must not replace the recording or its reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RefineDialog</name>
+    <message>
+        <source>Refine by a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stride</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low-pass at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooths the outcome, without lag; 6 Hz is usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a better system has recorded meanwhile, with the markers that come out: the outcome is measured against it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why it cannot be refined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joints are taken as the file has measured them: edits are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is truncated: what is there of it is refined.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a network: a file that “mocapmend train refine” has written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>60: the middle 60 frames of each window of 120 ({0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1: the middle frame of each window, as in the paper ({0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less than a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This network takes other joints ({0}): {1} of {2} are not here: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the recording has are the joints of another profile ({0}); one never stands for the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A network for them can be trained with “mocapmend train refine”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These joints are there more than once: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These joints are never seen: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>C3D (*.c3d)</source>
+        <translation type="unfinished">C3D (*.c3d)</translation>
+    </message>
+    <message>
+        <source>TRC (*.trc)</source>
+        <translation type="unfinished">TRC (*.trc)</translation>
+    </message>
+    <message>
+        <source>CSV, one line per frame (*.csv)</source>
+        <translation type="unfinished">CSV，每帧一行 (*.csv)</translation>
+    </message>
+    <message>
+        <source>NumPy (*.npz)</source>
+        <translation type="unfinished">NumPy (*.npz)</translation>
+    </message>
+    <message>
+        <source>Where the outcome goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a file of this name. Replace {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RefinementPage</name>
+    <message>
+        <source>How the recording was refined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors against the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished">记录</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation type="unfinished">标记点</translation>
+    </message>
+    <message>
+        <source>RMS distance (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances from the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output filter {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Network: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stride {0}, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no output filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference: {0}, {1} frames at 60 Hz, lag {2} ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>RenamingActions</name>
     <message>
         <source>{0} is called {1} now.</source>
@@ -3686,6 +4022,10 @@ It holds {0}.</source>
         <translation>历史</translation>
     </message>
     <message>
+        <source>Refinement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Check a copy…</source>
         <translation>检查副本…</translation>
     </message>
@@ -3766,6 +4106,18 @@ It holds {0}.</source>
         <source>{0}: {1}</source>
         <translation>{0}：{1}</translation>
     </message>
+    <message>
+        <source>that is what it was made from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in its own place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turned and shifted to fit, {0} ms later</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ScenePicture</name>
@@ -3811,6 +4163,14 @@ It holds {0}.</source>
     <message>
         <source>right forearm</source>
         <translation>右前臂</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>left thigh</source>
@@ -4342,6 +4702,26 @@ It holds {0}.</source>
     <message>
         <source>The file has no row that names columns of markers.</source>
         <translation>文件中没有给标记点各列命名的行。</translation>
+    </message>
+    <message>
+        <source>Line {0} has {1} numbers, but the first line has {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording of UI-PRMD&apos;s Kinect is two files, and the other one is not there: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording of UI-PRMD&apos;s Kinect is two files, and the name of this one does not say which is the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its name this is the other file of a recording of UI-PRMD&apos;s Kinect, but it holds something else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the two files into the same folder, or into the folders Positions and Angles, under names as m01_s01_e01_positions.txt and m01_s01_e01_angles.txt.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Some lines name neither a frame nor a time.</source>
@@ -5370,6 +5750,46 @@ It holds {0}.</source>
     <message>
         <source>Other sections of the file are left out: {0}.</source>
         <translation>文件的其他部分已略去：{0}。</translation>
+    </message>
+    <message>
+        <source>The orientations of the joints are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples that the Kinect did not track are taken as missing: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples that the Kinect did not see but inferred are kept as they are: {0} of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples whose state of tracking is unknown are kept as they are: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The times in {0} cannot be used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The times in {0} say {1} Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has {1} times for {2} frames; only the frame rate is taken from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} steps from frame to frame are more than a quarter longer or shorter than {2} ms; the frames are taken as evenly spaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are {0} frames of positions and {1} of angles; the first {2} are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not name its markers; Plug-in Gait&apos;s names are assumed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The bones of the file do not fit its markers; they are ignored.</source>

@@ -62,5 +62,5 @@ def _way(companion: Companion) -> str:
         return translate("Scene", "that is what it was made from")
     if companion.way == "as it is":
         return translate("Scene", "in its own place")
-    text = translate("Scene", "turned and shifted to fit, {0} ms later")
+    text = translate("Scene", "turned and shifted to fit, lag {0} ms")
     return text.format(f"{1000 * companion.lag:+.0f}")
