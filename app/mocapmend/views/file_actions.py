@@ -173,7 +173,7 @@ class FileActions(QObject):
         replaces = same_file(path, document.source.path)
         if replaces and not self._confirm_replacing(path):
             return
-        if document.source.truncated and not self.confirm(
+        if document.source.truncated and not self._confirm(
             self.tr("Export a truncated recording?"),
             self.tr("The file ends before its data do. The copy will be as short as the original."),
         ):
@@ -242,7 +242,7 @@ class FileActions(QObject):
             # The dialog has asked.
             return path
         replaces = self.tr("Replace {0}?").format(path.name)
-        if path.exists() and not self.confirm(replaces, self.tr("There is a file of this name.")):
+        if path.exists() and not self._confirm(replaces, self.tr("There is a file of this name.")):
             return None
         return path
 
@@ -332,7 +332,7 @@ class FileActions(QObject):
             self.after_saving(workspace, then)
 
     def _confirm_replacing(self, path: Path) -> bool:
-        return self.confirm(
+        return self._confirm(
             self.tr("Replace the original recording?"),
             self.tr(
                 "{0} is the file that you opened. Its missing samples will be overwritten with the "
@@ -340,8 +340,7 @@ class FileActions(QObject):
             ).format(path.name),
         )
 
-    def confirm(self, question: str, detail: str) -> bool:
-        """Ask whether to go on with what cannot be taken back."""
+    def _confirm(self, question: str, detail: str) -> bool:
         box = QMessageBox(QMessageBox.Icon.Warning, "mocapmend", question, parent=self._window)
         box.setInformativeText(detail)
         go = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.AcceptRole)
