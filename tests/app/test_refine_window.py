@@ -238,11 +238,38 @@ def test_what_is_there_is_replaced_only_if_the_user_agrees(
     dialog.go.click()
     qtbot.waitUntil(lambda: current(opened).document.source.path == path)
     qtbot.waitUntil(lambda: current(opened).comparing.companion is not None)
-    assert opened.documents.count() == 2, "it took the tab of what it replaced"
+    assert opened.documents.count() == 2, "what it replaced is closed"
     assert current(opened) is not workspace
     refining = current(opened).facts.refining()
     assert refining is not None
     assert refining.settings == ("60", "")
+
+
+@pytest.mark.parametrize("give_up", [False, True])
+def test_edits_of_what_is_replaced_are_asked_about_once(
+    opened: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, give_up: bool
+) -> None:
+    workspace = make(opened, qtbot)
+    fill_one(workspace)
+    path = workspace.document.source.path
+    before = path.read_bytes()
+    opened.documents.setCurrentIndex(0)
+    dialog = dialog_of(opened, qtbot)
+    buttons = QMessageBox.StandardButton
+    answers = [buttons.Yes, buttons.Discard if give_up else buttons.Cancel]
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: answers.pop(0))
+    dialog.filter.setChecked(False)
+    dialog.go.click()
+    assert answers == []
+    if give_up:
+        qtbot.waitUntil(lambda: opened.documents.count() == 2 and current(opened) is not workspace)
+        qtbot.waitUntil(lambda: current(opened).comparing.companion is not None)
+        assert path.read_bytes() != before
+        assert current(opened).saved
+    else:
+        assert opened.documents.count() == 2
+        assert not workspace.saved
+        assert path.read_bytes() == before
 
 
 def test_settings_are_remembered(opened: MainWindow, qtbot: QtBot, settings: Settings) -> None:
@@ -486,6 +513,29 @@ def test_any_recording_can_be_compared_with(
     assert refining.judged is workspace.facts.beside
     workspace.comparing.end()
     assert workspace.facts.beside is None
+
+
+def test_a_reference_that_was_given_keeps_its_figures(
+    opened: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    reference = write_reference(tmp_path)
+    dialog = dialog_of(opened, qtbot)
+    dialog.reference.set_path(reference)
+    dialog.go.click()
+    workspace = refined(opened, qtbot)
+    given = workspace.facts.given
+    workspace.comparing.look(reference)
+    qtbot.waitUntil(lambda: workspace.facts.beside is not None)
+    refining = workspace.facts.refining()
+    assert refining is not None
+    assert refining.judged is given
+    other = tmp_path / "other_positions.txt"
+    other.write_bytes(reference.read_bytes())
+    workspace.comparing.look(other)
+    qtbot.waitUntil(lambda: workspace.facts.refining() != refining)
+    refining = workspace.facts.refining()
+    assert refining is not None
+    assert refining.judged is workspace.facts.beside
 
 
 def test_a_file_that_cannot_be_compared_with_leaves_the_one_before(

@@ -44,12 +44,19 @@ class RefineActions(QObject):
         dialog.open()
 
     def prepare(self, order: Order) -> None:
-        """Begin, once the edits of a recording that is to be replaced are saved."""
+        """Begin, once the edits of a recording that is to be replaced are saved, and it is closed.
+
+        They could not be exported when its file is another one.
+        """
         open_there = self._window.documents.of_file(order.out)
         if open_there is None:
             self.start(order)
         else:
-            self._files.after_saving(open_there, lambda: self.start(order))
+            self._files.after_saving(open_there, lambda: self._replace(open_there, order))
+
+    def _replace(self, workspace: "Workspace", order: Order) -> None:
+        self._window.drop(workspace)
+        self.start(order)
 
     def start(self, order: Order) -> None:
         """Refine in the background, and show the outcome when it is written."""

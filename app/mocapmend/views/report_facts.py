@@ -68,7 +68,11 @@ class ReportFacts:
 
     def refining(self) -> Refining | None:
         """Return how a network has made the recording, None where none has."""
-        return refining(self._document.source.provenance, self.beside or self.given)
+        given, beside = self.given, self.beside
+        # Of the same reference, what was measured on the network's own poses is more exact.
+        same = given is not None and beside is not None and given.reference == beside.reference
+        judged = given if beside is None or same else beside
+        return refining(self._document.source.provenance, judged)
 
     def put_right(self) -> PutRight:
         """Return what was set aside, exchanged and smoothed."""
