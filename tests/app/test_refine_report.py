@@ -56,6 +56,7 @@ def html(path: Path, figures: Judged | None) -> str:
 
 def text_of(workspace: Workspace, qtbot: QtBot) -> str:
     """Return what the page of the pane says, when it is up to date."""
+    qtbot.waitUntil(lambda: workspace.arranged)
     workspace.show_pane(workspace.report)
     workspace.report.tabs.setCurrentIndex(workspace.report.tabs.count() - 1)
     qtbot.waitUntil(lambda: workspace.report.report is not None)
