@@ -23,9 +23,10 @@ def paint_companion(shot: Shot, companion: Companion, *, sticks: bool) -> None:
     if sticks and companion.bones:
         shot.pen(colour, 1.2, Qt.PenStyle.DashLine)
         shot.pairs(pixels[np.array(companion.bones, dtype=np.intp)].reshape(-1, 2))
-    shot.pen(colour, 1.4)
-    for pixel in pixels[np.isfinite(pixels[:, 0])]:
-        shot.painter.drawEllipse(QPointF(*pixel), RING, RING)
+    seen = pixels[np.isfinite(pixels[:, 0])]
+    # A dot in a dot is a ring, and painted much faster.
+    shot.dots(seen, colour, 2 * RING + 1.5)
+    shot.dots(seen, shot.theme.base, 2 * RING - 1.5)
 
 
 def paint_key(shot: Shot, companion: Companion | None) -> float:
