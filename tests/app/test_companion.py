@@ -1,10 +1,12 @@
 """Another recording beside a document: frames, unit, axes, lag, and who belongs to whom."""
 
+import gzip
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from c3d_synthetic import Synthetic, encode
 from kinect_samples import REST_25, person, rows
 from refine_networks import write_kinect22, write_network
 from scipy.spatial.transform import Rotation
@@ -191,13 +193,15 @@ def test_any_input_of_a_record_is_an_original(tmp_path: Path) -> None:
     assert companion.load(own, None, path, no_progress).way == "fitted"
 
 
-def test_nothing_to_compare_with_is_told(samples: Path, tmp_path: Path, own: Recording) -> None:
-    empty = tmp_path / "empty.npz"
-    source = read_recording(samples / "gait_plug_in_gait.c3d")
-    assert source.recording.markers
+def test_nothing_to_compare_with_is_told(tmp_path: Path, own: Recording) -> None:
+    empty = tmp_path / "analog.c3d"
+    analog = np.zeros((10, 4, 2))
+    empty.write_bytes(encode(Synthetic(np.zeros((10, 0, 3)), analog=analog)))
     with pytest.raises(MocapmendError) as caught:
         companion.load(own, None, empty, no_progress)
+    assert caught.value.what == "This recording has no markers to compare with."
     assert find(caught.value.what) is not None
+    assert find(caught.value.todo) is not None
 
 
 # --- references ----------------------------------------------------------------------------------
@@ -244,3 +248,22 @@ def test_what_is_no_reference_gives_no_figures() -> None:
     assert judge(made, made, "of their own", "r.c3d") is None
     assert judge(others, made, "kinect22-pig39", "r.c3d") is None
     assert judge(made, recording(made.points[:20], made.labels), "kinect22-pig39", "") is None
+
+
+def test_a_real_reference_fits_what_was_made_of_its_kinect(shared: Path, tmp_path: Path) -> None:
+    for packed in (shared / "kinect" / "uiprmd_raw_samples").glob("*m07_s04_e03*.gz"):
+        (tmp_path / packed.stem).write_bytes(gzip.decompress(packed.read_bytes()))
+    joints = tmp_path / "kinect_positions__m07_s04_e03.txt"
+    network, out = write_network(tmp_path / "net.npz"), tmp_path / "refined.c3d"
+    order = Order(joints, read_recording(joints).stamp, str(network), RefineParams("60", 6.0), out)
+    carry_out(order, no_progress)
+    refined = read_recording(out)
+    reference = tmp_path / "vicon_positions__m07_s04_e03.txt"
+    found = companion.load(refined.recording, refined.provenance, reference, no_progress)
+    assert found.way == "fitted"
+    assert found.partners == tuple(range(39))
+    assert found.judged is not None
+    # Joints stand for the markers beside them: they lie in the body, not on the skin.
+    elbow, other = (refined.recording.labels.index(name) for name in ("LELB", "RELB"))
+    off = np.linalg.norm(found.points - refined.recording.points, axis=2)[:, [elbow, other]]
+    assert np.nanmedian(off) < 150.0
