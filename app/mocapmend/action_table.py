@@ -304,6 +304,13 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("Ctrl+Return",),
     ),
     ActionSpec(
+        "refine",
+        "Repair",
+        QT_TRANSLATE_NOOP("Actions", "Refine by a network…"),
+        ("Ctrl+Shift+R",),
+        starts_group=True,
+    ),
+    ActionSpec(
         "smooth",
         "Repair",
         QT_TRANSLATE_NOOP("Actions", "Smooth the chosen markers"),
@@ -539,6 +546,26 @@ ACTIONS: tuple[ActionSpec, ...] = (
         ("R",),
         checkable=True,
         submenu=QT_TRANSLATE_NOOP("Actions", "Show in 3D"),
+    ),
+    ActionSpec(
+        "compare_with",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Compare with recording…"),
+        ("Ctrl+D",),
+        starts_group=True,
+    ),
+    ActionSpec(
+        "companion",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Show the compared recording"),
+        ("Shift+C",),
+        checkable=True,
+    ),
+    ActionSpec(
+        "end_comparing",
+        "View",
+        QT_TRANSLATE_NOOP("Actions", "Stop comparing"),
+        ("Ctrl+Shift+D",),
     ),
     ActionSpec(
         "zoom_in",

@@ -24,6 +24,7 @@ from mocapmend.report import (
     describe,
     method_text,
     put_right,
+    refining,
     summarise,
 )
 from mocapmend.wording import count, span
@@ -134,6 +135,7 @@ class Outcome:
             proof=() if self.exported is None else self.exported.sentences,
             edits=self._edits(),
             put_right=self.put_right,
+            refining=refining(provenance),
         )
 
     @cached_property

@@ -52,6 +52,13 @@ FIX_FIRST = Setting(key="repair/fix_first", default=False)
 """Whether bad samples are put right before all gaps are filled."""
 COMPARE = Setting(key="repair/compare", default=True)
 SMOOTHER = Setting("smooth/method", "gcv")
+REFINE_NETWORK = Setting("refine/network", "")
+"""Name or path of the network that was used last."""
+REFINE_FILES = Setting[list[str]]("refine/files", [])
+"""Networks of the user's own that were used lately, the last one first."""
+REFINE_STRIDE = Setting("refine/stride", "60")
+REFINE_FILTER = Setting(key="refine/filter", default=True)
+REFINE_CUTOFF = Setting("refine/cutoff_hz", 6.0)
 TRAIL_SECONDS = Setting("view/trail_seconds", 0.5)
 SHOWN = {
     name: Setting(f"view/{name}", default)
@@ -66,9 +73,10 @@ SHOWN = {
         ("plates", True),
         ("before_after", False),
         ("measure", False),
+        ("companion", True),
     )
 }
-"""What the 3D view shows, by the id of the action that switches it."""
+"""What the views show, by the id of the action that switches it."""
 PLAY_SPEED = Setting("play/speed", 1.0)
 MOST_MISSING_FIRST = Setting(key="timeline/most_missing_first", default=False)
 

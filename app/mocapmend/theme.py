@@ -35,6 +35,7 @@ class Theme:
     marker: str
     preview: str
     candidate: str
+    companion: str
     gap_shade: str
     fill_shade: str
     smooth_shade: str
@@ -62,6 +63,7 @@ DARK = Theme(
     marker="#c9d1db",
     preview="#f0e442",
     candidate="#c9b8f5",
+    companion="#7d9a86",
     gap_shade="#48e69f00",
     fill_shade="#3056b4e9",
     smooth_shade="#2ccc79a7",
@@ -92,6 +94,7 @@ LIGHT = Theme(
     marker="#424a56",
     preview="#a84d00",
     candidate="#6a4aa5",
+    companion="#6b8672",
     gap_shade="#40e69f00",
     fill_shade="#300072b2",
     smooth_shade="#268f3b82",

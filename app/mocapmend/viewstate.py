@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QObject, Signal
 
+from mocapmend.companion import Companion
 from mocapmend.prospects import Preview
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.corrections import Exchange
@@ -33,6 +34,7 @@ class ViewState(QObject):
     exchange_changed = Signal(object)
     preview_changed = Signal(object)
     smoothing_changed = Signal(tuple)
+    companion_changed = Signal()
     range_changed = Signal(float, float)
     span_changed = Signal(object)
 
@@ -48,6 +50,8 @@ class ViewState(QObject):
         self.preview: Preview | None = None
         self.smoothing: tuple[SmoothedRun, ...] = ()
         self.candidates: tuple[tuple[int, Preview], ...] = ()
+        self.companion: Companion | None = None
+        """Another recording that is shown beside this one."""
         self.picking = False
         self.proposed: Mapping[int, str] = {}
         """By marker: what it would be called in the current frame."""
@@ -157,6 +161,12 @@ class ViewState(QObject):
         if runs != self.smoothing:
             self.smoothing = runs
             self.smoothing_changed.emit(runs)
+
+    def set_companion(self, companion: Companion | None) -> None:
+        """Show another recording beside this one, or none."""
+        if companion is not self.companion:
+            self.companion = companion
+            self.companion_changed.emit()
 
     @property
     def others(self) -> tuple[tuple[int, Preview], ...]:

@@ -26,6 +26,7 @@ from mocapmend.views.palette import Palette
 from mocapmend.views.palette_entries import entries
 from mocapmend.views.reason_dialog import ReasonDialog
 from mocapmend.views.recovery_dialog import RecoveryDialog
+from mocapmend.views.refine_dialog import RefineDialog
 from mocapmend.views.shortcuts_dialog import ShortcutsDialog
 from mocapmend_algorithms import Gap
 from mocapmend_algorithms.fill.contract import Unfilled
@@ -90,7 +91,9 @@ def test_the_tour(window: MainWindow) -> None:
     window._tour.end()
 
 
-@pytest.mark.parametrize("kind", ["palette", "shortcuts", "recovery", "reason", "left open"])
+@pytest.mark.parametrize(
+    "kind", ["palette", "shortcuts", "recovery", "reason", "left open", "refine"]
+)
 def test_dialogs(
     open_in: Callable[[Path], MainWindow], gait: Path, tmp_path: Path, kind: str
 ) -> None:
@@ -104,6 +107,9 @@ def test_dialogs(
     elif kind == "recovery":
         subject = Subject.of(document.source)
         dialog = RecoveryDialog(window, [Abandoned(tmp_path / "a.journal", subject, 2, 0.0)])
+    elif kind == "refine":
+        out = tmp_path / "out.c3d"
+        dialog = RefineDialog(document.source, out, window.settings, window, edited=False)
     elif kind == "reason":
         dialog = ReasonDialog(document, {document.gaps[0]: None}, window)
     else:

@@ -54,7 +54,7 @@ def test_every_action_can_be_triggered_on_an_open_file(
     window = open_in(gait)
     leaves = {"open", "export", "save_report", "close", "quit", "log", "about", "shortcuts"}
     leaves |= {"check_copy", "save_recipe", "save_plan", "load_plan", "replay_recipe"}
-    leaves |= {"palette", "save_layout", "tour"}
+    leaves |= {"palette", "save_layout", "tour", "compare_with"}
     for spec in ACTIONS:
         if spec.id not in leaves:
             window.actions_by_id[spec.id].trigger()

@@ -11,6 +11,7 @@ from typing import Literal, get_args, get_origin, get_type_hints
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication
+from refine_networks import copying, write_kinect22, write_network
 
 from mocapmend import training
 from mocapmend.bench.hunt import Plan
@@ -18,6 +19,12 @@ from mocapmend.bench.seeds import all_seeds
 from mocapmend.engine import Changes, export, load, smooth
 from mocapmend.errors import MocapmendError
 from mocapmend.files import check_files, read_recording
+from mocapmend.refine.card import CAUTION, NEW_PEOPLE, card_rows
+from mocapmend.refine.measuring import FILTERED, NETWORK, RIDGE
+from mocapmend.refine.models import load_model
+from mocapmend.refine.profiles import profiles
+from mocapmend.refine.running import refine_file
+from mocapmend.report import refining_text
 from mocapmend.views.catalogue.detectors import DETECTORS as DETECTOR_TEXTS
 from mocapmend.views.catalogue.methods import METHODS as METHOD_TEXTS
 from mocapmend.views.catalogue.qt import QT
@@ -31,12 +38,14 @@ from mocapmend.views.engine_texts import (
     segment_name,
     shown,
 )
+from mocapmend.views.model_card import WORDS
 from mocapmend.views.suspect_texts import REST
 from mocapmend_algorithms import Gap, Recording, find_gaps, no_progress
 from mocapmend_algorithms.fill.limits import Limits, fill_within
 from mocapmend_algorithms.fill.registry import FAMILIES, METHODS
 from mocapmend_algorithms.problems import detect
 from mocapmend_algorithms.problems.registry import DETECTORS
+from mocapmend_algorithms.refine.refining import RefineParams
 from mocapmend_algorithms.smooth.registry import SMOOTHERS
 from mocapmend_algorithms.sparse.training_set import TrainingSetError, read_training_set
 from mocapmend_resources.skeletons import load as templates
@@ -49,7 +58,8 @@ SPOKEN = (
         ROOT / f"app/mocapmend/{name}.py"
         for name in (
             *("engine", "jobs", "label_templates", "plan", "recipe", "recipe_plan"),
-            *("replaying", "training", "user_templates"),
+            *("replaying", "training", "user_templates", "companion"),
+            *("refine/apart", "refine/card", "refine/models", "refine/running"),
         )
     ),
     ROOT / "app/mocapmend/report/writing.py",
@@ -334,6 +344,49 @@ def test_complaints_about_training_sets_are_in_the_catalogue(tmp_path: Path) -> 
         complaint = training.complaint(caught.value, str(path))
         assert find(complaint.what) is not None
         assert find(complaint.todo) is not None
+
+
+def test_complaints_about_networks_are_in_the_catalogue(tmp_path: Path) -> None:
+    (tmp_path / "broken.npz").write_bytes(b"PK")
+    other = write_network(tmp_path / "other.npz")
+    for path in (tmp_path / "none.npz", tmp_path, tmp_path / "broken.npz"):
+        with pytest.raises(MocapmendError) as caught:
+            load_model(str(path))
+        assert find(caught.value.what) is not None
+    joints = write_kinect22(tmp_path)
+    source = read_recording(joints)
+    points = source.recording.points.copy()
+    points[1:, 4] = np.nan
+    labels = source.recording.labels
+    twice = replace(source.recording, labels=(labels[1], *labels[1:-1], labels[0]))
+    for changed in (
+        source.recording.with_points(points),
+        source.recording.with_points(points[:1]),
+        replace(source.recording, labels=tuple(f"M{k}" for k in range(22))),
+        twice,
+    ):
+        wrong = replace(source, recording=changed)
+        with pytest.raises(MocapmendError) as caught:
+            refine_file(
+                wrong, str(other), RefineParams(), tmp_path / "o.c3d", None, False, no_progress
+            )
+        assert find(caught.value.what) is not None, caught.value.what
+        assert find(caught.value.todo) is not None
+
+
+def test_cards_are_in_the_catalogue() -> None:
+    said = {CAUTION, NEW_PEOPLE, *(each.name for each in profiles().values())}
+    said |= {refining_text.NONE_MEASURED, refining_text.NO_REFERENCE, refining_text.MEANINGS}
+    for skip, perceptual in product((False, True), repeat=2):
+        made = copying()
+        shape = replace(made.shape, skip=skip, perceptual=perceptual)
+        rows = dict(card_rows(replace(made, shape=shape)))
+        assert set(rows) <= set(WORDS)
+        said |= {rows["Trained on"], rows["Network"]}
+    assert unlisted(said) == set()
+    plain = dict(card_rows(replace(copying(), card={})))
+    assert {plain[name] for name in ("About", "Held out", "Made by")} <= set(WORDS)
+    assert {NETWORK, FILTERED, RIDGE} <= set(WORDS)
 
 
 def test_findings_of_a_comparison_are_in_the_catalogue(

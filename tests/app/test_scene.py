@@ -176,7 +176,7 @@ def test_the_body_that_is_not_followed_stays_where_it_was(scene: Scene, view: Vi
     assert np.nanmedian(np.abs(places(scene) - before)) < apart
 
 
-@pytest.mark.parametrize("layer", sorted(set(SHOWN) - {"follow"}))
+@pytest.mark.parametrize("layer", sorted(set(SHOWN) - {"follow", "companion"}))
 def test_every_layer_is_seen_when_it_is_on(scene: Scene, view: ViewState, layer: str) -> None:
     scene.layers.clear()
     view.set_frame(150)
@@ -310,7 +310,7 @@ def test_the_switches_of_the_view_are_remembered(
 
 
 def test_every_switch_of_the_view_has_a_setting() -> None:
-    assert set(SHOWN) == {"follow", *get_args(scene_picture.Layer)}
+    assert set(SHOWN) == {"follow", "companion", *get_args(scene_picture.Layer)}
     assert set(SHOWN) <= set(SWITCHES)
 
 

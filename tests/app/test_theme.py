@@ -69,6 +69,7 @@ def test_what_is_drawn_is_seen_on_its_ground(theme: Theme) -> None:
         "bone": theme.bone,
         "marker": theme.marker,
         "preview": theme.preview,
+        "companion": theme.companion,
         **{f"curve {k}": colour for k, colour in enumerate(theme.curves)},
         **{f"axis {k}": colour for k, colour in enumerate(AXIS_COLOURS)},
     }

@@ -13,7 +13,7 @@ from mocapmend.cli import common, target
 from mocapmend.cli.console import Console
 from mocapmend.errors import MocapmendError
 from mocapmend.files import C3DFile, Source, check_files, read_recording, same_file
-from mocapmend.report import About, RepairRow, SmoothRow, check_report_ending, put_right
+from mocapmend.report import About, RepairRow, SmoothRow, check_report_ending, put_right, refining
 from mocapmend_algorithms.fill.contract import Unfilled
 
 
@@ -95,6 +95,7 @@ def _about(original: Source, repaired: Source) -> About:
             moved_before=original.moves,
             renamed=() if provenance is None else provenance.corrections.renamed,
         ),
+        refining=refining(provenance),
     )
 
 

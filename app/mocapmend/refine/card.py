@@ -4,11 +4,11 @@ from mocapmend_algorithms.refine.model import Model
 
 CAUTION = (
     "What a network computes is an estimate, not a measurement. It was trained on the people and "
-    "movements below; of other movements it knows nothing."
+    "movements that its card names; of other movements it knows nothing."
 )
 NEW_PEOPLE = (
     "For a person whom it has not seen, expect no more than from smoothing and regression: see the "
-    "figures for performers held out, if there are some."
+    "figures for performers held out on its card, if there are some."
 )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from mocapmend import __version__
-from mocapmend.report import charts, put_right_text, tables
+from mocapmend.report import charts, put_right_text, refining_text, tables
 from mocapmend.report.facts import facts
 from mocapmend.report.methods import describe
 from mocapmend.report.model import About, Report
@@ -93,6 +93,7 @@ def contents(report: Report, about: About) -> Content:
     sections = (
         Section("warnings", "Warnings about the file", tuple(_warnings(about))),
         Section("methods", "Methods paragraph", tuple(_methods(report, about))),
+        Section("refinement", "Refinement", tuple(_refinement(about))),
         Section("success", "Tracking success", tuple(_success(report))),
         Section("bones", "Bone lengths", tuple(_bones(report))),
         Section("markers", "Markers", tuple(_markers(report))),
@@ -123,6 +124,17 @@ def _methods(report: Report, about: About) -> Iterator[Part]:
     yield Text(methods.paragraph)
     if methods.references:
         yield Bullets(tuple(f"[{n}] {text}" for n, text in enumerate(methods.references, 1)))
+
+
+def _refinement(about: About) -> Iterator[Part]:
+    done = about.refining
+    if done is None:
+        return
+    yield Bullets(refining_text.cautions(done), warning=True)
+    yield Pairs(refining_text.facts(done))
+    if done.judged is not None:
+        yield refining_text.errors(done.judged)
+        yield refining_text.distances(done.judged)
 
 
 def _success(report: Report) -> Iterator[Part]:

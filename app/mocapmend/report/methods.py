@@ -8,7 +8,7 @@ from math import isnan
 from statistics import median
 
 from mocapmend import __version__
-from mocapmend.report import put_right_text
+from mocapmend.report import put_right_text, refining_text
 from mocapmend.report.model import About, RepairRow, Report
 from mocapmend.report.sources import SOURCES
 from mocapmend.wording import count, was
@@ -68,6 +68,7 @@ def describe(report: Report, about: About) -> Methods:
         references += [r for r in (source.references if source else ()) if r not in references]
     sentences = (
         _facts(report, about),
+        refining_text.sentence(about.refining) if about.refining else "",
         put_right_text.renamed(about.put_right),
         put_right_text.exchanged(about.put_right),
         put_right_text.set_aside(about.put_right),
@@ -219,14 +220,13 @@ def _kind(reason: str) -> str:
 
 
 def _untouched(report: Report, about: About) -> str:
+    kind = "measured" if about.refining is None else "computed"
+    changed = f"{count(report.altered, f'{kind} sample')} {was(report.altered)} changed."
     if report.altered and about.put_right:
-        return (
-            f"By all of this, {count(report.altered, 'measured sample')} "
-            f"{was(report.altered)} changed."
-        )
+        return f"By all of this, {changed}"
     if report.altered:
-        return f"Besides, {count(report.altered, 'measured sample')} {was(report.altered)} changed."
-    return "No measured sample was changed."
+        return f"Besides, {changed}"
+    return f"No {kind} sample was changed."
 
 
 def _duration(frames: float, rate: float) -> str:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from mocapmend.files.records import RepairRecord
 from mocapmend.report.put_right import NOTHING_PUT_RIGHT, PutRight
+from mocapmend.report.refining import Refining
 from mocapmend_algorithms import Gap, Recording
 from mocapmend_algorithms.arrays import BoolArray, FloatArray, IntArray
 from mocapmend_algorithms.fill.contract import Patch
@@ -102,6 +103,8 @@ class About:
         The steps, in order.
     put_right : PutRight
         What was set aside, exchanged and smoothed, by earlier repairs too.
+    refining : Refining or None
+        How a network has computed all markers, where one has.
     """
 
     file: str
@@ -113,6 +116,7 @@ class About:
     proof: tuple[str, ...] = ()
     edits: tuple[EditRow, ...] = ()
     put_right: PutRight = NOTHING_PUT_RIGHT
+    refining: Refining | None = None
 
 
 @dataclass(frozen=True)

@@ -38,6 +38,7 @@ FILE_COMMANDS: "dict[str, Callable[[FileActions], object]]" = {
     "export": lambda f: f.ask_and_export(),
     "save_report": lambda f: f.ask_and_save_report(),
     "close": lambda f: f.close(),
+    "refine": lambda f: f.refining.ask(),
 }
 """By action id."""
 
@@ -113,6 +114,8 @@ COMMANDS: "dict[str, Callable[[Workspace], object]]" = {
     "zoom_out": lambda w: w.zoom_time(2.0),
     "zoom_all": lambda w: w.zoom_all(),
     "show_queue": lambda w: w.show_pane(w.queue),
+    "compare_with": lambda w: w.comparing.ask(),
+    "end_comparing": lambda w: w.comparing.end(),
     "zoom_gap": lambda w: w.time.frame_gap(),
     "zoom_span": lambda w: w.time.zoom_to_span(),
     "next_page": lambda w: w.time.turn_page(1),
@@ -156,6 +159,7 @@ SWITCHES: "dict[str, Callable[[Workspace, bool], None]]" = {
     "trails": lambda w, on: w.scene.set_layer("trails", on),
     "all_trails": lambda w, on: w.scene.set_layer("all_trails", on),
     "before_after": lambda w, on: w.scene.set_layer("before_after", on),
+    "companion": lambda w, on: w.comparing.set_shown(on),
     "measure": lambda w, on: w.scene.set_layer("measure", on),
     "ground": lambda w, on: w.scene.set_layer("ground", on),
     "plates": lambda w, on: w.scene.set_layer("plates", on),

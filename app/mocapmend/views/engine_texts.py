@@ -15,12 +15,22 @@ from mocapmend.views.catalogue.corrections import CORRECTIONS
 from mocapmend.views.catalogue.errors import ERRORS
 from mocapmend.views.catalogue.labels import LABELS
 from mocapmend.views.catalogue.reasons import REASONS
+from mocapmend.views.catalogue.refining import REFINEMENT
 from mocapmend.views.catalogue.smoothing import SMOOTHING
 from mocapmend.views.catalogue.warnings import WARNINGS
 from mocapmend_algorithms.fill.registry import method_label
 from mocapmend_algorithms.smooth.registry import smoother_label
 
-SENTENCES = (*REASONS, *WARNINGS, *ERRORS, *CHECKS, *CORRECTIONS, *SMOOTHING, *LABELS)
+SENTENCES = (
+    *REASONS,
+    *WARNINGS,
+    *ERRORS,
+    *CHECKS,
+    *CORRECTIONS,
+    *SMOOTHING,
+    *LABELS,
+    *REFINEMENT,
+)
 _PLACE = re.compile(r"\{\d\}")
 _METHOD_LAST = {"fill {0} gaps ({1})", "fill {0} ({1})"}
 """Sentences whose last part is a method's id; a marker may be called like one."""

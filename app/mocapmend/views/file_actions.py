@@ -1,6 +1,7 @@
 """Opening, exporting and closing: what the user is asked, and the jobs that follow."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +19,7 @@ from mocapmend.views.file_kinds import all_kinds, kinds
 from mocapmend.views.naming import kind_of, meant, repaired_name
 from mocapmend.views.opening import Opening
 from mocapmend.views.recovery import Recovery
+from mocapmend.views.refine_actions import RefineActions
 from mocapmend.views.samples import is_sample
 
 if TYPE_CHECKING:
@@ -45,6 +47,7 @@ class FileActions(QObject):
         super().__init__(window)
         self._window = window
         self.recovery = Recovery(window, self)
+        self.refining = RefineActions(window, self)
         self._loading: Job | None = None
         self._waiting: list[Opening] = []
         self._writing: list[Job] = []
@@ -77,7 +80,11 @@ class FileActions(QObject):
             self.open(Path(path))
 
     def open(
-        self, path: Path, journal: Path | None = None, instead_of: "Workspace | None" = None
+        self,
+        path: Path,
+        journal: Path | None = None,
+        instead_of: "Workspace | None" = None,
+        then: "Callable[[Workspace], None] | None" = None,
     ) -> None:
         """Open a recording in a tab, after those that are being opened; or go to its tab.
 
@@ -89,8 +96,10 @@ class FileActions(QObject):
             Of edits that are to be recovered.
         instead_of : Workspace, optional
             Whose tab it takes, once its edits are saved and the file is fully read.
+        then : callable, optional
+            Called with the workspace when it is shown.
         """
-        self._waiting.append(Opening(path, journal, instead_of))
+        self._waiting.append(Opening(path, journal, instead_of, then))
         self._open_next()
 
     def _open_next(self) -> None:
@@ -104,7 +113,7 @@ class FileActions(QObject):
             self._open_next()
             return
         if there is not None and opening.instead_of is None:
-            opening = Opening(opening.path, opening.journal, there)
+            opening = replace(opening, instead_of=there)
         path = opening.path
         title = self.tr("Opening {0}").format(path.name)
         job = self._window.jobs.read_or_write(title, engine.load_to_show, path)
@@ -121,7 +130,7 @@ class FileActions(QObject):
         """Show a recording that has been read, once the edits of the one that goes are saved."""
         leaving = opening.instead_of
         if leaving is None or self._window.documents.of(leaving.document) is None:
-            self._show(read, Opening(opening.path, opening.journal))
+            self._show(read, replace(opening, instead_of=None))
         else:
             self.after_saving(leaving, lambda: self._show(read, opening))
 
@@ -294,6 +303,8 @@ class FileActions(QObject):
             self.recovery.offer(source)
         else:
             self.recovery.tell(history, source)
+        if opening.then is not None and self._window.workspace is not None:
+            opening.then(self._window.workspace)
 
     def _exported(
         self,

@@ -14,6 +14,7 @@ from mocapmend.state import SampleState
 from mocapmend.theme import AXIS_COLOURS, Theme
 from mocapmend.views.bad_painter import BadPainter
 from mocapmend.views.columns import Floats, column_edges, columns_with
+from mocapmend.views.companion_painter import CompanionPainter
 from mocapmend.views.lane import (
     Frame,
     mixed,
@@ -79,6 +80,7 @@ class LanePainter:
         self._document = document
         self._strips: dict[tuple[int, ...], tuple[Pixels, Pixels]] = {}
         self.bad = BadPainter(document, self.series)
+        self.companion = CompanionPainter()
 
     def title(self, lane: Lane) -> str:
         """Return what a plot is called, with the unit where it is not that of the recording."""
@@ -143,6 +145,7 @@ class LanePainter:
         """Return the values that a lane has to show."""
         width = int(rect.width())
         values = [self.series.line(lane.quantity, c, visible, width)[1] for c in lane.curves]
+        values += self.companion.values(lane.quantity, lane.curves, visible, width)
         frames, inside = self._preview_line(preview, lane)
         values.append(inside[(frames >= visible[0]) & (frames <= visible[1])])
         if suspect is not None:
@@ -169,6 +172,7 @@ class LanePainter:
             paint_grid(painter, frame, self.theme)
         painter.setClipRect(rect)
         visible, width = (frame.start, frame.stop), int(rect.width())
+        self.companion.paint(painter, frame, quantity, lane.curves, self.theme)
         for curve in lane.curves:
             share = 1.0 if curve is lane.curves[-1] else BEHIND
             pen = thin(painter, mixed(self.theme.base, curve.colour, share))

@@ -1,5 +1,6 @@
 """What is to be opened, and how."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,8 +21,11 @@ class Opening:
         Of edits that are to be recovered.
     instead_of : Workspace or None
         Whose tab it takes.
+    then : callable or None
+        Called with the workspace when it is shown.
     """
 
     path: Path
     journal: Path | None = None
     instead_of: "Workspace | None" = None
+    then: "Callable[[Workspace], None] | None" = None

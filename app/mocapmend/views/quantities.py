@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from mocapmend.companion import Companion
 from mocapmend.document import Document
 from mocapmend.files import C3DFile
 from mocapmend.views.columns import Envelope, Floats
@@ -91,13 +92,13 @@ class Series:
 
     Parameters
     ----------
-    document : Document
+    document : Document or Companion
         Whose samples they are.
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document | Companion) -> None:
         self._document = document
-        source = document.source
+        source = document.source if isinstance(document, Document) else None
         self._residuals = source.residuals if isinstance(source, C3DFile) else None
         self._envelopes: dict[Key, Envelope] = {}
         self._drawn: dict[Key, tuple[Floats, Floats]] = {}

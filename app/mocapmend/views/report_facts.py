@@ -7,7 +7,17 @@ import numpy as np
 from mocapmend.changes import renames
 from mocapmend.commands import EditSamples
 from mocapmend.document import Document
-from mocapmend.report import About, EditRow, PutRight, SmoothRow, method_text, put_right
+from mocapmend.refine.judging import Judged
+from mocapmend.report import (
+    About,
+    EditRow,
+    PutRight,
+    Refining,
+    SmoothRow,
+    method_text,
+    put_right,
+    refining,
+)
 from mocapmend.state import SampleState
 from mocapmend_algorithms.fill.contract import Unfilled
 
@@ -19,11 +29,16 @@ class ReportFacts:
     ----------
     proof : tuple of str
         What the checks of an export that holds the present edits found.
+    given, beside : Judged or None
+        How far a refined recording is from the reference that was given when it was made, and
+        from the recording that it is compared with, where that can be one.
     """
 
     def __init__(self, document: Document) -> None:
         self._document = document
         self.proof: tuple[str, ...] = ()
+        self.given: Judged | None = None
+        self.beside: Judged | None = None
 
     def unfilled(self) -> list[Unfilled]:
         """Return the reasons of the gaps that are open still."""
@@ -48,7 +63,16 @@ class ReportFacts:
             proof=self.proof,
             edits=self.edits(),
             put_right=self.put_right(),
+            refining=self.refining(),
         )
+
+    def refining(self) -> Refining | None:
+        """Return how a network has made the recording, None where none has."""
+        given, beside = self.given, self.beside
+        # Of the same reference, what was measured on the network's own poses is more exact.
+        same = given is not None and beside is not None and given.reference == beside.reference
+        judged = given if beside is None or same else beside
+        return refining(self._document.source.provenance, judged)
 
     def put_right(self) -> PutRight:
         """Return what was set aside, exchanged and smoothed."""

@@ -8,13 +8,14 @@ from mocapmend.theme import Theme
 from mocapmend.views.report_bones import BonesPage
 from mocapmend.views.report_facts import ReportFacts
 from mocapmend.views.report_markers import MarkersPage
+from mocapmend.views.report_refinement import RefinementPage
 from mocapmend.views.report_texts import HistoryPage, MethodsPage
 from mocapmend.views.report_tracking import TrackingPage
 from mocapmend.viewstate import ViewState
 
 
 class ReportPages(QStackedWidget):
-    """Tracking, bones, markers, methods and history."""
+    """Tracking, bones, markers, methods and history; of a refined recording, how it was made."""
 
     def __init__(
         self,
@@ -32,10 +33,16 @@ class ReportPages(QStackedWidget):
         self.history = HistoryPage(document, facts)
         for page in (self.tracking, self.bones, self.markers, self.methods, self.history):
             self.addWidget(page)
+        self._facts = facts
+        self.refinement: RefinementPage | None = None
+        if facts.refining() is not None:
+            self.refinement = RefinementPage()
+            self.addWidget(self.refinement)
 
     @property
     def fields(self) -> tuple[QWidget, ...]:
         """What takes the keyboard, in the order of the tab key."""
+        last = self.refinement
         return (
             self.tracking.unit,
             self.bones.table,
@@ -43,6 +50,7 @@ class ReportPages(QStackedWidget):
             self.methods.text,
             self.methods.copy,
             self.history.table,
+            *(() if last is None else (last.text, last.errors, last.distances)),
         )
 
     def set_theme(self, theme: Theme) -> None:
@@ -56,6 +64,8 @@ class ReportPages(QStackedWidget):
         self.bones.show_report(report)
         self.markers.show_report(report)
         self.methods.show_methods(methods)
+        if self.refinement is not None:
+            self.refinement.show_refining(self._facts.refining())
 
     def show_frame(self, frame: int) -> None:
         """Move the playheads of the plots."""

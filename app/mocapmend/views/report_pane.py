@@ -58,6 +58,8 @@ class ReportPane(QWidget):
             self.tr("History"),
         ):
             self.tabs.addTab(title)
+        if facts.refining() is not None:
+            self.tabs.addTab(self.tr("Refinement"))
         self._check = ActionButton(actions["check_copy"], self.tr("Check a copy…"))
         self._arrange()
         self._timer = QTimer(self)

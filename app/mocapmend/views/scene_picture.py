@@ -23,6 +23,7 @@ from mocapmend.views.painters.body import (
     paint_sticks,
 )
 from mocapmend.views.painters.candidates import paint_candidates, paint_donors
+from mocapmend.views.painters.companion import paint_companion, paint_key
 from mocapmend.views.painters.edits import edits_text, paint_edits
 from mocapmend.views.painters.exchange import exchange_shown, paint_exchange
 from mocapmend.views.painters.ground import (
@@ -95,6 +96,7 @@ class ScenePicture(QWidget):
             view.suspect_changed,
             view.exchange_changed,
             view.candidates_changed,
+            view.companion_changed,
             view.picking_changed,
             document.samples_changed,
             document.names_changed,
@@ -195,6 +197,8 @@ class ScenePicture(QWidget):
             paint_ground(shot, self._grid)
         if "plates" in self.layers:
             paint_force_plates(shot, self._plates)
+        if self._view.companion is not None:
+            paint_companion(shot, self._view.companion, sticks="sticks" in self.layers)
 
     def _paint_body(self, shot: Shot) -> None:
         layers = self.layers
@@ -274,7 +278,8 @@ class ScenePicture(QWidget):
             captions.append(edits_text(self._document, self._view.frame))
         if "segments" in layers and not skeleton.segments:
             captions.append(self.tr("Segments: none are known for this recording"))
-        paint_captions(shot, captions)
+        top = paint_key(shot, self._view.companion)
+        paint_captions(shot, captions, top)
 
     def _paint_box(self, shot: Shot, box: QRectF) -> None:
         """Paint the box that selects."""

@@ -68,6 +68,7 @@ class Trajectories(PlotCanvas):
         view.preview_changed.connect(self.repaint_plots)
         view.candidates_changed.connect(self.repaint_plots)
         view.smoothing_changed.connect(self.repaint_plots)
+        view.companion_changed.connect(self._show_companion)
         document.samples_changed.connect(self._forget)
         document.names_changed.connect(self.repaint_plots)
 
@@ -143,7 +144,12 @@ class Trajectories(PlotCanvas):
 
     def _get_ready(self) -> bool:
         drawn = [(lane.quantity, curve) for lane in self.lanes() for curve in lane.curves]
-        return self._painter.series.prepare(drawn)
+        beside = self._painter.companion.prepare(drawn)
+        return self._painter.series.prepare(drawn) and beside
+
+    def _show_companion(self) -> None:
+        self._painter.companion.show(self._view.companion)
+        self.repaint_plots()
 
     def _forget(self, gaps: tuple[Gap, ...]) -> None:
         self._painter.series.forget({gap.marker for gap in gaps})
@@ -175,6 +181,8 @@ class Trajectories(PlotCanvas):
         )
         if self._separate:
             self._paint_markers(painter, rows)
+        if rows:
+            self._painter.companion.paint_key(painter, *rows[0], self._document.names, self._theme)
         return frames
 
     def _paint_markers(self, painter: QPainter, rows: list[tuple[Lane, QRectF]]) -> None:
@@ -258,7 +266,9 @@ class Trajectories(PlotCanvas):
             paint_on_ground(painter, place, text, self._theme)
 
     def _value(self, quantity: Quantity, curve: Curve, frame: int) -> str:
-        value = self._painter.series.value(quantity, curve, frame)
+        return self._text(quantity, self._painter.series.value(quantity, curve, frame))
+
+    def _text(self, quantity: Quantity, value: float) -> str:
         if np.isnan(value):
             return "–"
         decimals = DECIMALS.get(self._document.original.unit, 1) + MORE_DECIMALS.get(quantity, 0)
@@ -271,14 +281,15 @@ class Trajectories(PlotCanvas):
         quantities = dict.fromkeys(shown.quantity for shown in self._shown)
         columns = [quantity for quantity in quantities if quantity.kind == kind]
         curves = lane.curves if kind == "bone" else tuple(reversed(self._shown_curves))
-        rows = [
-            Row(
-                " – ".join(self._document.names[marker] for marker in curve.markers),
-                curve.colour,
-                tuple(self._value(quantity, curve, at) for quantity in columns),
-            )
-            for curve in curves
-        ]
+        rows = []
+        for curve in curves:
+            name = " – ".join(self._document.names[marker] for marker in curve.markers)
+            values = tuple(self._value(quantity, curve, at) for quantity in columns)
+            rows.append(Row(name, curve.colour, values))
+            beside = self._painter.companion.read(columns, curve, at)
+            if beside is not None:
+                texts = map(self._text, columns, beside[1])
+                rows.append(Row(beside[0], self._theme.companion, tuple(texts)))
         title = self.tr("Frame {0} · {1} s").format(
             at + self._first_frame, f"{at / self._rate:.3f}"
         )

@@ -22,6 +22,7 @@ from mocapmend.views.bad_actions import BadActions
 from mocapmend.views.bad_search import BadSearch
 from mocapmend.views.beginning import Beginning
 from mocapmend.views.bone_search import BoneSearch
+from mocapmend.views.companion_actions import CompanionActions
 from mocapmend.views.dialogs import left_open_dialog
 from mocapmend.views.engine_texts import shown
 from mocapmend.views.filling import Filling
@@ -127,6 +128,10 @@ class Workspace(PanedWindow):
         self.facts = ReportFacts(document)
         self.report = ReportPane(document, self.facts, self.view, jobs, theme, actions)
         self.proofs = Proofs(document, self.facts, self.report, self)
+        self.comparing = CompanionActions(
+            document, self.view, jobs, self.facts, self.report.refresh, settings, self
+        )
+        self.comparing.message.connect(self.message)
         self.naming = MarkerNaming(
             document,
             self.view,
@@ -179,7 +184,7 @@ class Workspace(PanedWindow):
         # A stack that is destroyed, because the program ends, tells that it is empty and clean.
         document.destroyed.connect(self.recorder.close)
         working = (self.previewer, self.report, self.survey, self.search, self.bones)
-        for part in (*working, self.filling, self.smoothing, self.bad_actions):
+        for part in (*working, self.comparing, self.filling, self.smoothing, self.bad_actions):
             part.failed.connect(self.failed)
         self.taken_off = TakenOff(document.undo_stack, self)
         self.taken_off.message.connect(self.message)
@@ -236,6 +241,7 @@ class Workspace(PanedWindow):
         """End what goes on by itself: the document is going away."""
         self._begin_timer.stop()
         self.bones.stop()
+        self.comparing.stop()
         self.naming.search.stop()
         self.player.pause()
         self.previewer.stop()

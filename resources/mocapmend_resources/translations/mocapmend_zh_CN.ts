@@ -204,6 +204,10 @@
         <translation>填补限值内的全部缺失段</translation>
     </message>
     <message>
+        <source>Refine by a network…</source>
+        <translation>用网络精修…</translation>
+    </message>
+    <message>
         <source>Smooth the chosen markers</source>
         <translation>平滑所选范围的标记点</translation>
     </message>
@@ -378,6 +382,18 @@
     <message>
         <source>Measure the selection</source>
         <translation>测量所选标记点</translation>
+    </message>
+    <message>
+        <source>Compare with recording…</source>
+        <translation>与另一记录比较…</translation>
+    </message>
+    <message>
+        <source>Show the compared recording</source>
+        <translation>显示用于比较的记录</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>停止比较</translation>
     </message>
     <message>
         <source>Zoom in on the time axis</source>
@@ -865,6 +881,41 @@
     <message>
         <source>and {0} more</source>
         <translation>另有 {0} 项</translation>
+    </message>
+</context>
+<context>
+    <name>CompanionActions</name>
+    <message>
+        <source>Compare with a recording</source>
+        <translation>与另一记录比较</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Reading {0} to compare</source>
+        <translation>正在读取 {0} 以作比较</translation>
+    </message>
+    <message>
+        <source>No recording is compared with this one.</source>
+        <translation>没有与此记录比较的记录。</translation>
+    </message>
+    <message>
+        <source>No longer compared with {0}.</source>
+        <translation>不再与 {0} 比较。</translation>
+    </message>
+    <message>
+        <source>Compared with {0}, from which this recording was made.</source>
+        <translation>与 {0} 比较，此记录由它得出。</translation>
+    </message>
+    <message>
+        <source>Compared with {0}, turned and shifted so that common labels fit.</source>
+        <translation>与 {0} 比较，已旋转和平移，使共同的标签相合。</translation>
+    </message>
+    <message>
+        <source>Compared with {0} in its own place: fewer than three labels are common, or too little of the time is.</source>
+        <translation>与 {0} 在其原位置比较：共同的标签不足三个，或共同的时间太短。</translation>
     </message>
 </context>
 <context>
@@ -2553,6 +2604,65 @@
     </message>
 </context>
 <context>
+    <name>ModelCard</name>
+    <message>
+        <source>About</source>
+        <translation>简介</translation>
+    </message>
+    <message>
+        <source>Trained on</source>
+        <translation>训练数据</translation>
+    </message>
+    <message>
+        <source>Held out</source>
+        <translation>留出</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>制作命令</translation>
+    </message>
+    <message>
+        <source>nothing is said</source>
+        <translation>没有说明</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>nobody says</source>
+        <translation>没有说明</translation>
+    </message>
+    <message>
+        <source>network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>network, 6 Hz</source>
+        <translation>网络，6 Hz</translation>
+    </message>
+    <message>
+        <source>ridge on 5 Hz Butterworth</source>
+        <translation>5 Hz 巴特沃斯滤波后的岭回归</translation>
+    </message>
+    <message>
+        <source>Nothing was held out: how good it is was not measured.</source>
+        <translation>没有留出数据：其优劣未经测量。</translation>
+    </message>
+    <message>
+        <source>Measured on {0} pairs held out:</source>
+        <translation>在留出的 {0} 对记录上测得：</translation>
+    </message>
+    <message>
+        <source>Lp: mean square error of a coordinate. Lb: of bone lengths. Ls: mean square second difference of a coordinate.</source>
+        <translation>Lp：坐标的均方误差。Lb：骨段长度的均方误差。Ls：坐标二阶差分的均方值。</translation>
+    </message>
+</context>
+<context>
     <name>NamesEdit</name>
     <message>
         <source>automatic</source>
@@ -2573,6 +2683,33 @@
     <message>
         <source>To take markers, Ctrl+click them in the list.</source>
         <translation>要取用标记点，请在列表中按住 Ctrl 点击。</translation>
+    </message>
+</context>
+<context>
+    <name>NetworkBox</name>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>none is chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>Choose a network</source>
+        <translation>选择网络</translation>
+    </message>
+    <message>
+        <source>Networks (*.npz)</source>
+        <translation>网络 (*.npz)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +2905,17 @@ It holds {0}.</source>
     <message>
         <source>automatic</source>
         <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>PathField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Browse: {0}</source>
+        <translation>浏览：{0}</translation>
     </message>
 </context>
 <context>
@@ -3440,6 +3588,238 @@ It holds {0}.</source>
     </message>
 </context>
 <context>
+    <name>RefineActions</name>
+    <message>
+        <source>Refining {0}</source>
+        <translation>正在精修 {0}</translation>
+    </message>
+    <message>
+        <source>{0} markers computed in {1} frames, none measured: {2}</source>
+        <translation>在 {1} 帧中计算出 {0} 个标记点，均非测得：{2}</translation>
+    </message>
+    <message>
+        <source>Joints that were missing at times were bridged: {0}.</source>
+        <translation>有时缺失的关节已补上：{0}。</translation>
+    </message>
+</context>
+<context>
+    <name>RefineChecks</name>
+    <message>
+        <source>There is no reference of this name.</source>
+        <translation>没有这个名称的参考记录。</translation>
+    </message>
+    <message>
+        <source>Say where the outcome goes.</source>
+        <translation>请指定结果存放的位置。</translation>
+    </message>
+    <message>
+        <source>The name of the outcome must end in one of {0}.</source>
+        <translation>结果的文件名必须以 {0} 之一结尾。</translation>
+    </message>
+    <message>
+        <source>There is no folder for the outcome.</source>
+        <translation>存放结果的文件夹不存在。</translation>
+    </message>
+    <message>
+        <source>The outcome must not replace the recording or its reference.</source>
+        <translation>结果不得替换原记录或参考记录。</translation>
+    </message>
+</context>
+<context>
+    <name>RefineDialog</name>
+    <message>
+        <source>Refine by a network</source>
+        <translation>用网络精修</translation>
+    </message>
+    <message>
+        <source>What is known of the network</source>
+        <translation>关于此网络的已知情况</translation>
+    </message>
+    <message>
+        <source>Stride</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Low-pass at</source>
+        <translation>低通，截止频率</translation>
+    </message>
+    <message>
+        <source>Smooths the outcome, without lag; 6 Hz is usual</source>
+        <translation>对结果作零相位平滑；通常取 6 Hz</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考记录</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>What a better system has recorded meanwhile, with the markers that come out: the outcome is measured against it</source>
+        <translation>由更好的系统同时采集、含有所输出标记点的记录：结果以它为准来衡量</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Why it cannot be refined</source>
+        <translation>不能精修的原因</translation>
+    </message>
+    <message>
+        <source>Output filter</source>
+        <translation>输出滤波</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>精修</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>The joints are taken as the file has measured them: edits are left out.</source>
+        <translation>关节按文件中测得的数据采用：不含编辑。</translation>
+    </message>
+    <message>
+        <source>The file is truncated: what is there of it is refined.</source>
+        <translation>文件被截断：只精修现有的部分。</translation>
+    </message>
+    <message>
+        <source>Choose a network: a file that “mocapmend train refine” has written.</source>
+        <translation>请选择网络：由“mocapmend train refine”写出的文件。</translation>
+    </message>
+    <message>
+        <source>60: the middle 60 frames of each window of 120 ({0})</source>
+        <translation>60：每个 120 帧窗口取中间 60 帧（{0}）</translation>
+    </message>
+    <message>
+        <source>1: the middle frame of each window, as in the paper ({0})</source>
+        <translation>1：每个窗口取中间一帧，与论文相同（{0}）</translation>
+    </message>
+    <message>
+        <source>less than a second</source>
+        <translation>不到一秒</translation>
+    </message>
+    <message>
+        <source>about {0} s</source>
+        <translation>约 {0} 秒</translation>
+    </message>
+    <message>
+        <source>about {0} min</source>
+        <translation>约 {0} 分钟</translation>
+    </message>
+    <message>
+        <source>This network takes other joints ({0}): {1} of {2} are not here: {3}.</source>
+        <translation>此网络使用的是其他关节（{0}）：其 {2} 个中有 {1} 个不在此记录中：{3}。</translation>
+    </message>
+    <message>
+        <source>What the recording has are the joints of another profile ({0}); one never stands for the other.</source>
+        <translation>此记录具有的是另一种配置的关节（{0}）；两者不能互相代替。</translation>
+    </message>
+    <message>
+        <source>A network for them can be trained with “mocapmend train refine”.</source>
+        <translation>可以用“mocapmend train refine”为这些关节训练网络。</translation>
+    </message>
+    <message>
+        <source>These joints are there more than once: {0}.</source>
+        <translation>这些关节出现不止一次：{0}。</translation>
+    </message>
+    <message>
+        <source>These joints are never seen: {0}.</source>
+        <translation>这些关节从未被看到：{0}。</translation>
+    </message>
+    <message>
+        <source>Reference recording</source>
+        <translation>参考记录</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>C3D (*.c3d)</source>
+        <translation>C3D (*.c3d)</translation>
+    </message>
+    <message>
+        <source>TRC (*.trc)</source>
+        <translation>TRC (*.trc)</translation>
+    </message>
+    <message>
+        <source>CSV, one line per frame (*.csv)</source>
+        <translation>CSV，每帧一行 (*.csv)</translation>
+    </message>
+    <message>
+        <source>NumPy (*.npz)</source>
+        <translation>NumPy (*.npz)</translation>
+    </message>
+    <message>
+        <source>Where the outcome goes</source>
+        <translation>结果存放的位置</translation>
+    </message>
+    <message>
+        <source>There is a file of this name. Replace {0}?</source>
+        <translation>已有同名文件。要替换 {0} 吗？</translation>
+    </message>
+</context>
+<context>
+    <name>RefinementPage</name>
+    <message>
+        <source>How the recording was refined</source>
+        <translation>记录是如何精修的</translation>
+    </message>
+    <message>
+        <source>Errors against the reference</source>
+        <translation>相对参考记录的误差</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>RMS distance (mm)</source>
+        <translation>均方根距离 (mm)</translation>
+    </message>
+    <message>
+        <source>Distances from the reference</source>
+        <translation>到参考记录的距离</translation>
+    </message>
+    <message>
+        <source>output filter {0}</source>
+        <translation>输出滤波 {0}</translation>
+    </message>
+    <message>
+        <source>Network: {0}</source>
+        <translation>网络：{0}</translation>
+    </message>
+    <message>
+        <source>Stride {0}, {1}</source>
+        <translation>步长 {0}，{1}</translation>
+    </message>
+    <message>
+        <source>no output filter</source>
+        <translation>无输出滤波</translation>
+    </message>
+    <message>
+        <source>Reference: {0}, {1} frames at 60 Hz, lag {2} ms</source>
+        <translation>参考记录：{0}，60 Hz 的 {1} 帧，时间差 {2} ms</translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation>精修结果</translation>
+    </message>
+    <message>
+        <source>reference itself</source>
+        <translation>参考记录本身</translation>
+    </message>
+</context>
+<context>
     <name>RenamingActions</name>
     <message>
         <source>{0} is called {1} now.</source>
@@ -3686,6 +4066,10 @@ It holds {0}.</source>
         <translation>历史</translation>
     </message>
     <message>
+        <source>Refinement</source>
+        <translation>精修</translation>
+    </message>
+    <message>
         <source>Check a copy…</source>
         <translation>检查副本…</translation>
     </message>
@@ -3766,6 +4150,18 @@ It holds {0}.</source>
         <source>{0}: {1}</source>
         <translation>{0}：{1}</translation>
     </message>
+    <message>
+        <source>that is what it was made from</source>
+        <translation>此记录由它得出</translation>
+    </message>
+    <message>
+        <source>in its own place</source>
+        <translation>在其原位置</translation>
+    </message>
+    <message>
+        <source>turned and shifted to fit, lag {0} ms</source>
+        <translation>已旋转和平移以相合，时间差 {0} ms</translation>
+    </message>
 </context>
 <context>
     <name>ScenePicture</name>
@@ -3811,6 +4207,14 @@ It holds {0}.</source>
     <message>
         <source>right forearm</source>
         <translation>右前臂</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>左手</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>右手</translation>
     </message>
     <message>
         <source>left thigh</source>
@@ -4342,6 +4746,26 @@ It holds {0}.</source>
     <message>
         <source>The file has no row that names columns of markers.</source>
         <translation>文件中没有给标记点各列命名的行。</translation>
+    </message>
+    <message>
+        <source>Line {0} has {1} numbers, but the first line has {2}.</source>
+        <translation>第 {0} 行有 {1} 个数字，而第一行有 {2} 个。</translation>
+    </message>
+    <message>
+        <source>A recording of UI-PRMD&apos;s Kinect is two files, and the other one is not there: {0}.</source>
+        <translation>UI-PRMD 的 Kinect 记录由两个文件组成，而另一个文件不存在：{0}。</translation>
+    </message>
+    <message>
+        <source>A recording of UI-PRMD&apos;s Kinect is two files, and the name of this one does not say which is the other.</source>
+        <translation>UI-PRMD 的 Kinect 记录由两个文件组成，而从此文件的名称看不出另一个是哪个。</translation>
+    </message>
+    <message>
+        <source>By its name this is the other file of a recording of UI-PRMD&apos;s Kinect, but it holds something else.</source>
+        <translation>按名称这是 UI-PRMD 的 Kinect 记录的另一个文件，但其内容是别的东西。</translation>
+    </message>
+    <message>
+        <source>Put the two files into the same folder, or into the folders Positions and Angles, under names as m01_s01_e01_positions.txt and m01_s01_e01_angles.txt.</source>
+        <translation>请将两个文件放入同一文件夹，或分别放入 Positions 和 Angles 文件夹，名称如 m01_s01_e01_positions.txt 和 m01_s01_e01_angles.txt。</translation>
     </message>
     <message>
         <source>Some lines name neither a frame nor a time.</source>
@@ -5372,6 +5796,46 @@ It holds {0}.</source>
         <translation>文件的其他部分已略去：{0}。</translation>
     </message>
     <message>
+        <source>The orientations of the joints are left out.</source>
+        <translation>关节的朝向已略去。</translation>
+    </message>
+    <message>
+        <source>Samples that the Kinect did not track are taken as missing: {0}.</source>
+        <translation>Kinect 未跟踪到的采样按缺失处理：{0}。</translation>
+    </message>
+    <message>
+        <source>Samples that the Kinect did not see but inferred are kept as they are: {0} of {1}.</source>
+        <translation>Kinect 未看到而是推断出的采样保持原样：{1} 个中的 {0} 个。</translation>
+    </message>
+    <message>
+        <source>Samples whose state of tracking is unknown are kept as they are: {0}.</source>
+        <translation>跟踪状态未知的采样保持原样：{0}。</translation>
+    </message>
+    <message>
+        <source>The times in {0} cannot be used.</source>
+        <translation>{0} 中的时间无法使用。</translation>
+    </message>
+    <message>
+        <source>The times in {0} say {1} Hz.</source>
+        <translation>由 {0} 中的时间得出 {1} Hz。</translation>
+    </message>
+    <message>
+        <source>{0} has {1} times for {2} frames; only the frame rate is taken from it.</source>
+        <translation>{0} 有 {1} 个时间，而帧数为 {2}；只从中取帧率。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} steps from frame to frame are more than a quarter longer or shorter than {2} ms; the frames are taken as evenly spaced.</source>
+        <translation>{1} 个帧间隔中有 {0} 个比 {2} ms 长或短四分之一以上；各帧按等间隔处理。</translation>
+    </message>
+    <message>
+        <source>There are {0} frames of positions and {1} of angles; the first {2} are read.</source>
+        <translation>位置有 {0} 帧，角度有 {1} 帧；读取前 {2} 帧。</translation>
+    </message>
+    <message>
+        <source>The file does not name its markers; Plug-in Gait&apos;s names are assumed.</source>
+        <translation>文件没有给出标记点名称；假定为 Plug-in Gait 的名称。</translation>
+    </message>
+    <message>
         <source>The bones of the file do not fit its markers; they are ignored.</source>
         <translation>文件中的骨段与其标记点不符；已忽略。</translation>
     </message>
@@ -5950,6 +6414,154 @@ It holds {0}.</source>
     <message>
         <source>{0} of {1} points have no label. “Label from recordings…” in the Edit menu finds out which markers they are.</source>
         <translation>{1} 个点中有 {0} 个没有标签。“编辑”菜单中的“按已标注的记录标注…”可找出它们是哪些标记点。</translation>
+    </message>
+    <message>
+        <source>Kinect, 22 joints, to Plug-in Gait, 39 markers</source>
+        <translation>Kinect（22 个关节）到 Plug-in Gait（39 个标记点）</translation>
+    </message>
+    <message>
+        <source>Kinect v2, 25 joints, to Axis Neuron, 59 joints</source>
+        <translation>Kinect v2（25 个关节）到 Axis Neuron（59 个关节）</translation>
+    </message>
+    <message>
+        <source>What a network computes is an estimate, not a measurement. It was trained on the people and movements that its card names; of other movements it knows nothing.</source>
+        <translation>网络计算出的是估计值，不是测量值。它由其说明卡所列的人员和动作训练而成；对其他动作一无所知。</translation>
+    </message>
+    <message>
+        <source>For a person whom it has not seen, expect no more than from smoothing and regression: see the figures for performers held out on its card, if there are some.</source>
+        <translation>对于它未见过的人，效果不会好于平滑加回归：请看说明卡上留出的表演者的数值（如果有）。</translation>
+    </message>
+    <message>
+        <source>All markers were computed from the joints of another recording; none was measured.</source>
+        <translation>所有标记点均由另一记录的关节计算得出；没有一个是测得的。</translation>
+    </message>
+    <message>
+        <source>All markers were computed by the network “{0}” from the joints of another recording; none was measured.</source>
+        <translation>所有标记点均由网络“{0}”根据另一记录的关节计算得出；没有一个是测得的。</translation>
+    </message>
+    <message>
+        <source>No reference recording was given: how far the markers are from where they really were is not known.</source>
+        <translation>没有给出参考记录：标记点偏离真实位置多远是未知的。</translation>
+    </message>
+    <message>
+        <source>Lp: mean square error of a coordinate relative to the pelvis or hips, after the best turn. Lb: of bone lengths, from their means in the reference. Ls: mean square second difference of a coordinate. All at 60 Hz.</source>
+        <translation>Lp：经最佳旋转后，坐标相对骨盆或髋部的均方误差。Lb：骨段长度相对参考记录中平均值的均方误差。Ls：坐标二阶差分的均方值。均按 60 Hz 计算。</translation>
+    </message>
+    <message>
+        <source>{0} pairs of recordings of {1} people and {2} movements, {3} frames at 60 Hz</source>
+        <translation>{1} 人、{2} 种动作的 {0} 对记录，60 Hz 的 {3} 帧</translation>
+    </message>
+    <message>
+        <source>{0} stacked bidirectional recurrent autoencoders of width {1}; {2} weights</source>
+        <translation>{0} 个堆叠的双向循环自编码器，宽度 {1}；{2} 个权重</translation>
+    </message>
+    <message>
+        <source>{0} stacked bidirectional recurrent autoencoders of width {1}, a linear skip; {2} weights</source>
+        <translation>{0} 个堆叠的双向循环自编码器，宽度 {1}，带线性直连；{2} 个权重</translation>
+    </message>
+    <message>
+        <source>{0} stacked bidirectional recurrent autoencoders of width {1}, a perceptual autoencoder; {2} weights</source>
+        <translation>{0} 个堆叠的双向循环自编码器，宽度 {1}，带感知自编码器；{2} 个权重</translation>
+    </message>
+    <message>
+        <source>{0} stacked bidirectional recurrent autoencoders of width {1}, a linear skip, a perceptual autoencoder; {2} weights</source>
+        <translation>{0} 个堆叠的双向循环自编码器，宽度 {1}，带线性直连和感知自编码器；{2} 个权重</translation>
+    </message>
+    <message>
+        <source>This recording has no markers to compare with.</source>
+        <translation>此记录没有可供比较的标记点。</translation>
+    </message>
+    <message>
+        <source>These joints are never seen: {0}.</source>
+        <translation>这些关节从未被看到：{0}。</translation>
+    </message>
+    <message>
+        <source>The network is for other points ({0}): {1} of {2} are not in this recording ({3}).</source>
+        <translation>此网络使用的是其他点（{0}）：其 {2} 个中有 {1} 个不在此记录中（{3}）。</translation>
+    </message>
+    <message>
+        <source>The recording has more than one {0}.</source>
+        <translation>记录中有不止一个 {0}。</translation>
+    </message>
+    <message>
+        <source>The recording has fewer than two frames.</source>
+        <translation>记录少于两帧。</translation>
+    </message>
+    <message>
+        <source>The reference has fewer than two frames.</source>
+        <translation>参考记录少于两帧。</translation>
+    </message>
+    <message>
+        <source>Recording and reference have less than half a second in common.</source>
+        <translation>记录与参考记录的共同时间不足半秒。</translation>
+    </message>
+    <message>
+        <source>Choose another network or recording.</source>
+        <translation>请选择另一个网络或记录。</translation>
+    </message>
+    <message>
+        <source>Choose another reference.</source>
+        <translation>请选择另一个参考记录。</translation>
+    </message>
+    <message>
+        <source>These pairs are for the profile {0}.</source>
+        <translation>这些成对数据用于配置 {0}。</translation>
+    </message>
+    <message>
+        <source>Choose that one.</source>
+        <translation>请选择该配置。</translation>
+    </message>
+    <message>
+        <source>Choose another file.</source>
+        <translation>请选择另一个文件。</translation>
+    </message>
+    <message>
+        <source>There is no such model.</source>
+        <translation>没有这个模型。</translation>
+    </message>
+    <message>
+        <source>This model may not be read.</source>
+        <translation>没有读取此模型的权限。</translation>
+    </message>
+    <message>
+        <source>This is not a model of mocapmend, or it is damaged.</source>
+        <translation>这不是 mocapmend 的模型，或者已损坏。</translation>
+    </message>
+    <message>
+        <source>The model is too large.</source>
+        <translation>模型太大。</translation>
+    </message>
+    <message>
+        <source>The head of the model is too long.</source>
+        <translation>模型的头部太长。</translation>
+    </message>
+    <message>
+        <source>The model has format {0}, not {1}.</source>
+        <translation>模型的格式是 {0}，而不是 {1}。</translation>
+    </message>
+    <message>
+        <source>The model contradicts itself: its network is not for its profile.</source>
+        <translation>模型自相矛盾：其网络与其配置不符。</translation>
+    </message>
+    <message>
+        <source>The model contradicts itself: “{0}” is not as its head says.</source>
+        <translation>模型自相矛盾：“{0}”与其头部所述不符。</translation>
+    </message>
+    <message>
+        <source>The model has a spread that is not positive.</source>
+        <translation>模型中有不为正的离散度。</translation>
+    </message>
+    <message>
+        <source>The model&apos;s network is too large.</source>
+        <translation>模型的网络太大。</translation>
+    </message>
+    <message>
+        <source>The model has weights that are no numbers in “{0}”.</source>
+        <translation>模型的“{0}”中有不是数字的权重。</translation>
+    </message>
+    <message>
+        <source>Choose a file that “mocapmend train refine” has written, or one that ships with the program: {0}.</source>
+        <translation>请选择由“mocapmend train refine”写出的文件，或随程序提供的：{0}。</translation>
     </message>
 </context>
 <context>

@@ -70,9 +70,9 @@ def paint_labels(
         shot.painter.drawText(box.topLeft() + QPointF(0, metrics.ascent()), text)
 
 
-def paint_captions(shot: Shot, lines: Sequence[str]) -> None:
+def paint_captions(shot: Shot, lines: Sequence[str], top: float = MARGIN) -> None:
     """Write lines into the upper left corner, readable whatever is behind them."""
-    painter, top = shot.painter, MARGIN
+    painter = shot.painter
     flags = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
     ground = QColor(shot.theme.base)
     ground.setAlpha(210)
