@@ -384,20 +384,41 @@ def test_edits_are_said_to_be_left_out(opened: MainWindow, qtbot: QtBot) -> None
 
 
 def test_files_are_checked_by_their_names(tmp_path: Path) -> None:
-    recording, reference = tmp_path / "a.txt", tmp_path / "b.c3d"
-    for path in (recording, reference):
+    recording, reference, other, truth = (tmp_path / name for name in ("a.txt", "b", "c", "d.c3d"))
+    for path in (recording, reference, other, truth):
         path.write_text("")
-    good = tmp_path / "out.c3d"
-    assert file_problem(recording, None, good) == ""
-    assert file_problem(recording, reference, good) == ""
-    for text, chosen, out in (
-        ("no reference", tmp_path / "none.c3d", good),
-        ("Say where", None, None),
-        ("must end in one of .c3d, .trc, .csv, .npz", None, tmp_path / "out.txt"),
-        ("no folder", None, tmp_path / "nowhere" / "out.c3d"),
-        ("must not replace", reference, reference),
+    good, none, nothing = tmp_path / "out.c3d", tmp_path / "none.c3d", (None, None, None)
+    assert file_problem(recording, nothing, good) == ""
+    assert file_problem(recording, (reference, other, truth), good) == ""
+    for text, given, out in (
+        ("no reference", (none, None, None), good),
+        ("a recording and its reference", (None, other, None), good),
+        ("a recording and its reference", (None, None, truth), good),
+        ("to calibrate with", (None, other, none), good),
+        ("Say where", nothing, None),
+        ("must end in one of .c3d, .trc, .csv, .npz", nothing, tmp_path / "out.txt"),
+        ("no folder", nothing, tmp_path / "nowhere" / "out.c3d"),
+        ("must not replace", (reference, other, truth), truth),
     ):
-        assert text in file_problem(recording, chosen, out)
+        assert text in file_problem(recording, given, out)
+
+
+def test_a_recording_of_the_same_person_calibrates(
+    opened: MainWindow, qtbot: QtBot, joints: Path, tmp_path: Path
+) -> None:
+    reference = write_reference(tmp_path)
+    dialog = dialog_of(opened, qtbot)
+    dialog.calibration.set_path(joints)
+    assert not dialog.go.isEnabled()
+    assert "a recording and its reference" in dialog.problem.text()
+    dialog.truth.set_path(reference)
+    assert dialog.go.isEnabled()
+    qtbot.keyClick(dialog.out.edit, Qt.Key.Key_Return)
+    workspace = refined(opened, qtbot)
+    record = workspace.document.source.provenance.refined
+    assert len(record.parameters["calibration_sha256"]) == 2
+    facts = workspace.facts.refining()
+    assert facts.calibrations == 1
 
 
 def test_networks_used_lately_come_first(

@@ -30,6 +30,8 @@ class Order:
         Where the outcome goes; what is there is replaced.
     reference : Path or None
         What the outcome is held against.
+    calibration : tuple of (Path, Path)
+        Other recordings of the same person, each with its reference.
     """
 
     recording: Path
@@ -38,6 +40,7 @@ class Order:
     params: RefineParams
     out: Path
     reference: Path | None = None
+    calibration: tuple[tuple[Path, Path], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -81,6 +84,7 @@ def carry_out(order: Order, progress: Progress) -> Outcome:
         order.params,
         order.out,
         order.reference,
+        order.calibration,
         accept_truncated=True,
         progress=part(progress, 0.05, 1.0),
     )

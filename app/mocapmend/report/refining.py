@@ -39,6 +39,12 @@ class Refining:
         filtered = f"{cutoff:g} Hz" if isinstance(cutoff, (int, float)) else ""
         return str(self.parameters.get("stride", "?")), filtered
 
+    @property
+    def calibrations(self) -> int:
+        """How many recordings of the same person calibrated it."""
+        digests = self.parameters.get("calibration_sha256")
+        return len(digests) // 2 if isinstance(digests, (tuple, list)) else 0
+
 
 def refining(provenance: Provenance | None, judged: Judged | None = None) -> Refining | None:
     """Return what a repair record says of a network, None where none was at work."""

@@ -30,6 +30,10 @@ def facts(done: Refining) -> tuple[tuple[str, str], ...]:
         ("Output filter", f"zero-lag low-pass of {cutoff}" if cutoff else "none"),
         ("SHA-256 of the network", done.sha256),
     ]
+    if done.calibrations:
+        rows.append(
+            ("Calibrated by", f"{count(done.calibrations, 'recording')} of the same person")
+        )
     if done.judged is not None:
         frames = count(done.judged.refined.frames, "frame")
         rows.append(("Reference", f"{done.judged.reference}, {frames} at 60 Hz in common"))

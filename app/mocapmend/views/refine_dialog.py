@@ -100,6 +100,17 @@ class RefineDialog(QDialog):
                 "outcome is measured against it"
             )
         )
+        self.calibration = PathField(self.tr("Calibrate with"), self._ask_reference)
+        self.calibration.edit.setPlaceholderText(self.tr("none"))
+        self.calibration.setToolTip(
+            self.tr(
+                "Another recording of the same person with the same sensor, of which there is a "
+                "reference: the mean error of each marker there is subtracted"
+            )
+        )
+        self.truth = PathField(self.tr("Its reference"), self._ask_reference)
+        self.truth.edit.setPlaceholderText(self.tr("none"))
+        self.truth.setToolTip(self.tr("What a better system has recorded meanwhile"))
         self.out = PathField(self.tr("Outcome"), self._ask_out)
         self.out.set_path(out)
         self.problem = QLabel()
@@ -109,7 +120,8 @@ class RefineDialog(QDialog):
         self.problem.setAccessibleName(self.tr("Why it cannot be refined"))
         self._arrange(edited=edited)
         self.network.changed.connect(self._load)
-        self.reference.changed.connect(self._check)
+        for field in (self.reference, self.calibration, self.truth):
+            field.changed.connect(self._check)
         self.out.changed.connect(self._check)
         self._load()
         self.network.setFocus()
@@ -135,6 +147,8 @@ class RefineDialog(QDialog):
         form.addRow(self.tr("Stride"), self.stride)
         form.addRow(self.tr("Output filter"), filtering)
         form.addRow(self.tr("Reference"), self.reference)
+        form.addRow(self.tr("Calibrate with"), self.calibration)
+        form.addRow(self.tr("Its reference"), self.truth)
         form.addRow(self.tr("Outcome"), self.out)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.go = buttons.addButton(self.tr("Refine"), QDialogButtonBox.ButtonRole.AcceptRole)
@@ -213,7 +227,8 @@ class RefineDialog(QDialog):
         if not found and self._model is not None:
             found = self._misfit_text(misfit(self._source.measured, self._model.profile))
         if not found:
-            found = file_problem(self._source.path, self.reference.path(), self.out.path())
+            given = (self.reference.path(), self.calibration.path(), self.truth.path())
+            found = file_problem(self._source.path, given, self.out.path())
         self.problem.setText(WARNING + found if found else "")
         self.problem.setVisible(bool(found))
         self.go.setEnabled(not found)
@@ -287,6 +302,7 @@ class RefineDialog(QDialog):
         settings.set(REFINE_FILTER, self.filter.isChecked())
         settings.set(REFINE_CUTOFF, self.cutoff.value())
         cutoff = self.cutoff.value() if self.filter.isChecked() else None
+        calibration, truth = self.calibration.path(), self.truth.path()
         order = Order(
             self._source.path,
             self._source.stamp,
@@ -294,6 +310,7 @@ class RefineDialog(QDialog):
             RefineParams(stride, cutoff),
             out.absolute(),
             self.reference.path(),
+            () if calibration is None or truth is None else ((calibration, truth),),
         )
         self.accept()
         self.chosen.emit(order)

@@ -80,6 +80,9 @@ class RefinementPage(QWidget):
                 stride, filtered if cutoff else self.tr("no output filter")
             ),
         ]
+        if done.calibrations:
+            text = self.tr("Calibrated by recordings of the same person: {0}")
+            lines.append(text.format(done.calibrations))
         if done.judged is not None:
             text = self.tr("Reference: {0}, {1} frames at 60 Hz, lag {2} ms")
             lag = f"{1000 * done.judged.lag:+.0f}"

@@ -3609,6 +3609,14 @@ It holds {0}.</source>
         <translation>没有这个名称的参考记录。</translation>
     </message>
     <message>
+        <source>To calibrate, give a recording and its reference.</source>
+        <translation>若要校准，请同时给出一个记录及其参考。</translation>
+    </message>
+    <message>
+        <source>There is no recording of this name to calibrate with.</source>
+        <translation>没有此名称的用于校准的记录。</translation>
+    </message>
+    <message>
         <source>Say where the outcome goes.</source>
         <translation>请指定结果存放的位置。</translation>
     </message>
@@ -3621,8 +3629,8 @@ It holds {0}.</source>
         <translation>存放结果的文件夹不存在。</translation>
     </message>
     <message>
-        <source>The outcome must not replace the recording or its reference.</source>
-        <translation>结果不得替换原记录或参考记录。</translation>
+        <source>The outcome must not replace one of the other recordings.</source>
+        <translation>结果不得替换其他记录之一。</translation>
     </message>
 </context>
 <context>
@@ -3658,6 +3666,22 @@ It holds {0}.</source>
     <message>
         <source>What a better system has recorded meanwhile, with the markers that come out: the outcome is measured against it</source>
         <translation>由更好的系统同时采集、含有所输出标记点的记录：结果以它为准来衡量</translation>
+    </message>
+    <message>
+        <source>Calibrate with</source>
+        <translation>校准用记录</translation>
+    </message>
+    <message>
+        <source>Another recording of the same person with the same sensor, of which there is a reference: the mean error of each marker there is subtracted</source>
+        <translation>同一人用同一传感器的另一个记录，且有其参考：将减去其中每个标记点的平均误差</translation>
+    </message>
+    <message>
+        <source>Its reference</source>
+        <translation>其参考</translation>
+    </message>
+    <message>
+        <source>What a better system has recorded meanwhile</source>
+        <translation>更好的系统同时记录的数据</translation>
     </message>
     <message>
         <source>Outcome</source>
@@ -3805,6 +3829,10 @@ It holds {0}.</source>
     <message>
         <source>no output filter</source>
         <translation>无输出滤波</translation>
+    </message>
+    <message>
+        <source>Calibrated by recordings of the same person: {0}</source>
+        <translation>用同一人的记录校准：{0} 个</translation>
     </message>
     <message>
         <source>Reference: {0}, {1} frames at 60 Hz, lag {2} ms</source>
@@ -4114,6 +4142,10 @@ It holds {0}.</source>
     <message>
         <source>Walk, 41 markers, complete</source>
         <translation>行走，41 个标记点，完整</translation>
+    </message>
+    <message>
+        <source>Squat, 22 joints of a Kinect, to refine</source>
+        <translation>深蹲，Kinect 的 22 个关节，可供精修</translation>
     </message>
 </context>
 <context>
@@ -6428,8 +6460,8 @@ It holds {0}.</source>
         <translation>网络计算出的是估计值，不是测量值。它由其说明卡所列的人员和动作训练而成；对其他动作一无所知。</translation>
     </message>
     <message>
-        <source>For a person whom it has not seen, expect no more than from smoothing and regression: see the figures for performers held out on its card, if there are some.</source>
-        <translation>对于它未见过的人，效果不会好于平滑加回归：请看说明卡上留出的表演者的数值（如果有）。</translation>
+        <source>For a person whom it has not seen, expect no more than from smoothing and regression: see the figures for performers held out on its card, if there are some. One paired recording of that person, to calibrate with, takes much of the error away.</source>
+        <translation>对于它未见过的人，不要期望优于平滑加回归：如果有的话，请看其说明卡上关于留出的表演者的数据。用该人的一个成对记录进行校准，可消除大部分误差。</translation>
     </message>
     <message>
         <source>All markers were computed from the joints of another recording; none was measured.</source>
