@@ -6528,8 +6528,28 @@ It holds {0}.</source>
         <translation>记录与参考记录的共同时间不足半秒。</translation>
     </message>
     <message>
+        <source>The recording is too long: {0} s of at most {1} s.</source>
+        <translation>记录过长：{0} 秒，最多 {1} 秒。</translation>
+    </message>
+    <message>
+        <source>{0} is impossibly far from the root: more than {1} m.</source>
+        <translation>{0} 离根节点远得不可能：超过 {1} 米。</translation>
+    </message>
+    <message>
         <source>Choose another network or recording.</source>
         <translation>请选择另一个网络或记录。</translation>
+    </message>
+    <message>
+        <source>Put the recording right first, or choose another one.</source>
+        <translation>请先修正该记录，或选择另一个。</translation>
+    </message>
+    <message>
+        <source>Its joints are those of the profile {0}: train a network for it with “mocapmend train refine”, or choose one.</source>
+        <translation>其关节属于配置 {0}：请用“mocapmend train refine”为它训练网络，或选择一个这样的网络。</translation>
+    </message>
+    <message>
+        <source>Leave this calibration out.</source>
+        <translation>请去掉这个校准。</translation>
     </message>
     <message>
         <source>Choose another reference.</source>

@@ -72,7 +72,16 @@ REFUSED = (
     QT_TRANSLATE_NOOP(
         "Sentences", "Recording and reference have less than half a second in common."
     ),
+    QT_TRANSLATE_NOOP("Sentences", "The recording is too long: {0} s of at most {1} s."),
+    QT_TRANSLATE_NOOP("Sentences", "{0} is impossibly far from the root: more than {1} m."),
     QT_TRANSLATE_NOOP("Sentences", "Choose another network or recording."),
+    QT_TRANSLATE_NOOP("Sentences", "Put the recording right first, or choose another one."),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Its joints are those of the profile {0}: train a network for it with “mocapmend train "
+        "refine”, or choose one.",
+    ),
+    QT_TRANSLATE_NOOP("Sentences", "Leave this calibration out."),
     QT_TRANSLATE_NOOP("Sentences", "Choose another reference."),
     QT_TRANSLATE_NOOP("Sentences", "These pairs are for the profile {0}."),
     QT_TRANSLATE_NOOP("Sentences", "Choose that one."),
