@@ -4,7 +4,7 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from screens import around, bare, dialogs, names, panes, space
+from screens import around, bare, dialogs, names, panes, refining, space
 from screens.proofread import Proofreader
 from screens.stage import Stage
 
@@ -37,6 +37,7 @@ def walk(folder: Path, language: str, size: tuple[int, int], text: float) -> Non
         dialogs.of_a_recording(stage)
         stage.close_all()
         names.names(stage)
+        refining.refining(stage)
         around.tabs(stage)
         stage.close_all()
         stage.window.close()
