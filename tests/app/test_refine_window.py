@@ -395,6 +395,7 @@ def test_files_are_checked_by_their_names(tmp_path: Path) -> None:
         ("a recording and its reference", (None, other, None), good),
         ("a recording and its reference", (None, None, truth), good),
         ("to calibrate with", (None, other, none), good),
+        ("cannot calibrate itself", (None, recording, truth), good),
         ("Say where", nothing, None),
         ("must end in one of .c3d, .trc, .csv, .npz", nothing, tmp_path / "out.txt"),
         ("no folder", nothing, tmp_path / "nowhere" / "out.c3d"),
@@ -407,8 +408,12 @@ def test_a_recording_of_the_same_person_calibrates(
     opened: MainWindow, qtbot: QtBot, joints: Path, tmp_path: Path
 ) -> None:
     reference = write_reference(tmp_path)
+    for part in ("positions", "angles"):
+        whole = joints.with_name(f"kinect_{part}.txt").read_bytes()
+        joints.with_name(f"other_{part}.txt").write_bytes(whole)
+    other = joints.with_name("other_positions.txt")
     dialog = dialog_of(opened, qtbot)
-    dialog.calibration.set_path(joints)
+    dialog.calibration.set_path(other)
     assert not dialog.go.isEnabled()
     assert "a recording and its reference" in dialog.problem.text()
     dialog.truth.set_path(reference)

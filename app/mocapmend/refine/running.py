@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from mocapmend.errors import MocapmendError
-from mocapmend.files import Saved, Source, read_recording, write_recording
+from mocapmend.files import Saved, Source, read_recording, same_file, write_recording
 from mocapmend.files.refinement import Refinement
 from mocapmend.files.sidecar import hash_file
 from mocapmend.refine.models import load_model, path_of
@@ -93,6 +93,12 @@ def refine_file(
     """
     model = load_model(name)
     truth = None if reference is None else read_recording(reference)
+    if any(same_file(recording, source.path) for recording, _ in calibration):
+        raise MocapmendError(
+            "A recording cannot calibrate itself.",
+            str(source.path),
+            "Choose another recording of the same person.",
+        )
     offset = _offset(model, params, calibration, part(progress, 0.0, 0.3))
     try:
         refined = refine(source.measured, model, params, part(progress, 0.3, 0.8), offset)

@@ -32,6 +32,8 @@ def file_problem(recording: Path, given: Given, out: Path | None) -> str:
         return translate("RefineChecks", "To calibrate, give a recording and its reference.")
     if any(path is not None and not path.is_file() for path in (calibration, truth)):
         return translate("RefineChecks", "There is no recording of this name to calibrate with.")
+    if calibration is not None and same_file(calibration, recording):
+        return translate("RefineChecks", "A recording cannot calibrate itself.")
     if out is None:
         return translate("RefineChecks", "Say where the outcome goes.")
     if not out.name.lower().endswith(WRITTEN):

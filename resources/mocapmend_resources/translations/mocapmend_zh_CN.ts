@@ -3617,6 +3617,10 @@ It holds {0}.</source>
         <translation>没有此名称的用于校准的记录。</translation>
     </message>
     <message>
+        <source>A recording cannot calibrate itself.</source>
+        <translation>记录不能用来校准自己。</translation>
+    </message>
+    <message>
         <source>Say where the outcome goes.</source>
         <translation>请指定结果存放的位置。</translation>
     </message>
@@ -6550,6 +6554,14 @@ It holds {0}.</source>
     <message>
         <source>Leave this calibration out.</source>
         <translation>请去掉这个校准。</translation>
+    </message>
+    <message>
+        <source>A recording cannot calibrate itself.</source>
+        <translation>记录不能用来校准自己。</translation>
+    </message>
+    <message>
+        <source>Choose another recording of the same person.</source>
+        <translation>请选择同一人的另一个记录。</translation>
     </message>
     <message>
         <source>Choose another reference.</source>

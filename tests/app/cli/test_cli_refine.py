@@ -116,6 +116,10 @@ def test_a_calibration_takes_the_mean_error_away(run_json: Json, tmp_path: Path)
     assert ratio < 0.6
     record = read_c3d(out).provenance.refined
     assert len(record.parameters["calibration_sha256"]) == 4
+    own = ("--calibrate", recording, reference)
+    code, wrong = run_json(*words, "-o", out, "--overwrite", *own)
+    assert code == 1
+    assert wrong["error"]["what"] == "A recording cannot calibrate itself."
     code, wrong = run_json(*words, "-o", out, "--overwrite", "--calibrate", pair[1], pair[0])
     assert code == 1
     assert wrong["error"]["where"] == str(pair[1])

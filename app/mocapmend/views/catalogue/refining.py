@@ -82,6 +82,8 @@ REFUSED = (
         "refine”, or choose one.",
     ),
     QT_TRANSLATE_NOOP("Sentences", "Leave this calibration out."),
+    QT_TRANSLATE_NOOP("Sentences", "A recording cannot calibrate itself."),
+    QT_TRANSLATE_NOOP("Sentences", "Choose another recording of the same person."),
     QT_TRANSLATE_NOOP("Sentences", "Choose another reference."),
     QT_TRANSLATE_NOOP("Sentences", "These pairs are for the profile {0}."),
     QT_TRANSLATE_NOOP("Sentences", "Choose that one."),
