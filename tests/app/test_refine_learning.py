@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from refine_files import write_pairs
 
+from mocapmend.errors import MocapmendError
 from mocapmend.refine.learning import Course, learn
 from mocapmend.refine.measuring import errors_over
 from mocapmend.refine.pair_lists import read_pairs
@@ -15,6 +16,17 @@ from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.refine.refining import refined_poses
 from mocapmend_algorithms.refine.train.drawing import NO_CHANGES
 from mocapmend_algorithms.refine.train.settings import Settings
+
+
+def test_markers_that_no_reference_shows_cannot_be_learnt(tmp_path: Path) -> None:
+    pytest.importorskip("torch", reason="PyTorch is not installed")
+    profile = profile_named("kinect22-pig39")
+    (pair,) = read_pairs(write_pairs(tmp_path, profile, 1), profile, no_progress)
+    markers = pair.markers.copy()
+    markers[:, 4] = np.nan
+    course = Course(profile, Settings(stacks=1, width=4, first_width=4), tmp_path / "state")
+    with pytest.raises(MocapmendError, match="shows these markers: C7"):
+        learn(course, [replace(pair, markers=markers)], no_progress, resume=False)
 
 
 @pytest.mark.parametrize("name", list(profiles()))

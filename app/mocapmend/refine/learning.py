@@ -72,9 +72,11 @@ def learn(course: Course, pairs: Sequence[Pair], progress: Progress, *, resume: 
     Raises
     ------
     MocapmendError
-        If PyTorch is not installed, or the state is of another training.
+        If PyTorch is not installed, an output is nowhere to be seen, or the state is of another
+        training.
     """
     loop = _loop()
+    _check(course, pairs)
     training: Training = loop.Training(pairs, course.profile, course.settings)
     key = _key(course, pairs)
     if resume and course.state.exists():
@@ -92,6 +94,17 @@ def _loop() -> Any:
             todo="Install it with: pip install “mocapmend[train]”. Refining does not need it.",
         ) from error
     return loop
+
+
+def _check(course: Course, pairs: Sequence[Pair]) -> None:
+    """Refuse pairs that do not show what is to be learnt."""
+    seen = np.any([~np.isnan(pair.markers[..., 0]).all(axis=0) for pair in pairs], axis=0)
+    labels = zip(course.profile.outputs, seen.tolist(), strict=True)
+    if lacking := [label for label, there in labels if not there]:
+        raise MocapmendError(
+            f"No reference shows these markers: {', '.join(lacking)}.",
+            todo="Add pairs that do, or choose another profile.",
+        )
 
 
 def _key(course: Course, pairs: Sequence[Pair]) -> str:
