@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 
 from screens import every
+from screens.refining import refine_squat
 from screens.stage import Stage, wait_until, worth_a_look
 
 IMAGES = Path(__file__).parent / "images"
@@ -42,6 +43,11 @@ def document() -> None:
         stage.show_pane(workspace.repairs)
         workspace.view.go_to(min(workspace.document.repairs))
         shoot(stage, "repairs")
+        stage.close_all()
+        stage.open_sample("squat_kinect")
+        stage.show_pane(refine_squat(stage).report)
+        stage.workspace.report.tabs.setCurrentIndex(stage.workspace.report.tabs.count() - 1)
+        shoot(stage, "refined")
         stage.close_all()
         stage.window.close()
 
