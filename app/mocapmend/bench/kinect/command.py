@@ -46,6 +46,8 @@ SHIPPED = "ships"
 PROJECTED = f"{BRA_S_C.name}, through the perceptual autoencoder"
 """As the paper has it."""
 FRAMES_TIMED = {60: 6000, 1: 600}
+SOME = 20
+"""Pairs on which strides are compared: stride 1 is slow."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -163,6 +165,7 @@ def _speeds(
     import numpy as np
 
     joints = np.concatenate([pair.joints for pair in rest])
+    some = rest[:: max(1, len(rest) // SOME)]
     timed = []
     for stride in sorted(STRIDES, reverse=True):
         part = joints[: FRAMES_TIMED[stride]]
@@ -172,7 +175,6 @@ def _speeds(
                 start = time.perf_counter()
                 refined_poses(part, model, stride, no_progress)
                 seconds.append(time.perf_counter() - start)
-        some = rest if stride > 1 else rest[:: len(rest) // 20]
 
         def predict(joints: FloatArray, stride: int = stride) -> FloatArray:
             return refined_poses(joints, model, stride, no_progress)

@@ -133,7 +133,12 @@ def speed(rows: Sequence[tuple[int, float, Errors]]) -> Grid:
         Column("frames_per_s", "frames/s, one thread", ",.0f"),
         *ERRORS,
     )
-    return Grid("speed", "Strides of the network that ships", columns, cells)
+    return Grid(
+        "speed",
+        "Strides of the network that ships, on 20 or so of the pairs (seen)",
+        columns,
+        cells,
+    )
 
 
 def targets(rows: Sequence[Row], shipped: str, filtered: str, rate: float) -> Grid:
