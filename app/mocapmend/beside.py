@@ -10,7 +10,7 @@ from mocapmend_algorithms.alignment import turns
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.progress import part
-from mocapmend_algorithms.refine.aligning import LEAST_SHARED, align_in_time
+from mocapmend_algorithms.refine.aligning import LEAST_SHARED, align_in_time, in_common
 from mocapmend_algorithms.refine.preparing import RATE, RefineError, at_rate, bridge_gaps
 from mocapmend_algorithms.sparse.training_set import turn_up
 
@@ -101,14 +101,14 @@ def _fit(
         found = align_in_time(steady, seen)
     except RefineError:
         return None
-    first, end = max(0, found.lag), min(len(steady), len(seen) + found.lag)
-    theirs_then = seen[first - found.lag : end - found.lag]
+    here, there = in_common(found.lag, len(steady), len(seen))
+    theirs_then = seen[there]
     measured = _sampled(own.points[:, mine], own.rate, np.arange(len(steady)) / RATE, no_progress)
-    ours = measured[first:end]
+    ours = measured[here]
     complete = ~np.isnan(ours + theirs_then).any(axis=(1, 2))
     if np.count_nonzero(complete) < LEAST_SHARED:
         # What was bridged has a say where there is nothing better.
-        ours, complete = steady[first:end], ~np.isnan(theirs_then).any(axis=(1, 2))
+        ours, complete = steady[here], ~np.isnan(theirs_then).any(axis=(1, 2))
     one, other = (each[complete].reshape(-1, 3) for each in (ours, theirs_then))
     rotation = turns((other - other.mean(axis=0)).T @ (one - one.mean(axis=0)))
     return rotation, one.mean(axis=0) - other.mean(axis=0) @ rotation, found.seconds

@@ -64,15 +64,29 @@ def align_in_time(points: FloatArray, reference: FloatArray) -> Alignment:
     return min(known, key=lambda fit: fit.rms)
 
 
+def in_common(lag: int, frames: int, others: int) -> tuple[slice, slice]:
+    """Return which frames of a recording, and of a reference, show the same.
+
+    Parameters
+    ----------
+    lag : int
+        As `Alignment.lag`.
+    frames, others : int
+        How many the recording and the reference have.
+    """
+    first, last = max(0, lag), min(frames, others + lag)
+    return slice(first, last), slice(first - lag, last - lag)
+
+
 def _fit(points: FloatArray, reference: FloatArray, lag: int) -> Alignment | None:
-    first, last = max(0, lag), min(len(points), len(reference) + lag)
-    if last - first < LEAST_SHARED:
+    ours, theirs = in_common(lag, len(points), len(reference))
+    if ours.stop - ours.start < LEAST_SHARED:
         return None
-    seen = reference[first - lag : last - lag]
+    seen = reference[theirs]
     there = ~np.isnan(seen).any(axis=(1, 2))
     if np.count_nonzero(there) < LEAST_SHARED:
         return None
-    own, other = points[first:last][there].reshape(-1, 3), seen[there].reshape(-1, 3)
+    own, other = points[ours][there].reshape(-1, 3), seen[there].reshape(-1, 3)
     own, other = own - own.mean(axis=0), other - other.mean(axis=0)
     rotation = turns(other.T @ own)
     rest = other - own @ rotation.T

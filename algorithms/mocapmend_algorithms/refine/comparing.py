@@ -6,7 +6,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.recording import Recording
-from mocapmend_algorithms.refine.aligning import Alignment, align_in_time
+from mocapmend_algorithms.refine.aligning import Alignment, align_in_time, in_common
 from mocapmend_algorithms.refine.measures import Errors, errors_of
 from mocapmend_algorithms.refine.preparing import RATE
 from mocapmend_algorithms.refine.profile import Profile
@@ -55,9 +55,8 @@ def compare(poses: FloatArray, reference: Recording, profile: Profile) -> Compar
     truth = Reference.of(reference, profile)
     markers = truth.at(np.arange(truth.frames) / RATE)
     found = align_in_time(poses, markers)
-    first, last = max(0, found.lag), min(len(poses), len(markers) + found.lag)
-    own = poses[first:last]
-    wanted = markers[first - found.lag : last - found.lag] @ found.rotation
+    ours, theirs = in_common(found.lag, len(poses), len(markers))
+    own, wanted = poses[ours], markers[theirs] @ found.rotation
     distance = np.linalg.norm(own - wanted, axis=2)
     there = ~np.isnan(distance)
     with np.errstate(invalid="ignore"):

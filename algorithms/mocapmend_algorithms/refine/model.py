@@ -61,6 +61,11 @@ class Model:
     weights: Weights
     card: Mapping[str, Any] = field(default_factory=dict)
 
+    @property
+    def size(self) -> int:
+        """Number of weights."""
+        return sum(array.size for array in self.weights.values())
+
     def outputs(self, windows: FloatArray) -> list[FloatArray]:
         """Return what each autoencoder makes of windows, the last one's being the result.
 

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.recording import Recording, UpAxis
 from mocapmend_algorithms.refine.profile import Profile, root_track
+from mocapmend_algorithms.sparse import heading
 from mocapmend_algorithms.sparse.training_set import turn_up
 
 RATE = 60.0
@@ -125,7 +127,7 @@ def labels_places(labels: Sequence[str], wanted: Sequence[str], name: str) -> li
     RefineError
         If some are not there, or one is there twice.
     """
-    bare = [label.rpartition(":")[2].strip().upper() for label in labels]
+    bare = [without_subject(label).upper() for label in labels]
     lacking = [label for label in wanted if label.upper() not in bare]
     if lacking:
         some = ", ".join(lacking[:5]) + (" ..." if len(lacking) > 5 else "")
@@ -205,9 +207,4 @@ def headings(windows: FloatArray, profile: Profile) -> FloatArray:
 
 def turned(windows: FloatArray, angles: FloatArray) -> FloatArray:
     """Turn windows, shape (windows, ..., 3), about z by an angle each, in radians."""
-    cosine, sine = np.cos(angles), np.sin(angles)
-    zero, one = np.zeros_like(cosine), np.ones_like(cosine)
-    rows = [[cosine, -sine, zero], [sine, cosine, zero], [zero, zero, one]]
-    rotation: FloatArray = np.moveaxis(np.array(rows), 2, 0)
-    flat = windows.reshape(len(windows), -1, 3) @ rotation.swapaxes(1, 2)
-    return np.asarray(flat.reshape(windows.shape), dtype=np.float64)
+    return heading.turned(windows, angles, UP)

@@ -16,7 +16,6 @@ NEW_PEOPLE = (
 def card_rows(model: Model) -> list[tuple[str, str]]:
     """Return what the card says, each with its heading."""
     card, shape = model.card, model.shape
-    weights = sum(array.size for array in model.weights.values())
     network = f"{shape.stacks} stacked bidirectional recurrent autoencoders of width {shape.width}"
     network += ", a linear skip" if shape.skip else ""
     network += ", a perceptual autoencoder" if shape.perceptual else ""
@@ -27,7 +26,7 @@ def card_rows(model: Model) -> list[tuple[str, str]]:
         ("About", str(card.get("about", "nothing is said"))),
         ("Trained on", trained),
         ("Held out", str(card.get("held_out") or "nothing")),
-        ("Network", f"{network}; {weights} weights"),
+        ("Network", f"{network}; {model.size} weights"),
         ("Made by", str(card.get("command", "nobody says"))),
     ]
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from mocapmend_algorithms.arrays import FloatArray
-from mocapmend_algorithms.progress import Progress
+from mocapmend_algorithms.progress import Progress, no_progress
 from mocapmend_algorithms.refine.measures import Errors, errors_of, pooled
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.profile import Profile
@@ -20,21 +20,18 @@ NETWORK, FILTERED, RIDGE = "network", "network, 6 Hz", "ridge on 5 Hz Butterwort
 
 Predict = Callable[[FloatArray], FloatArray]
 """From joints, shape (frames, inputs, 3), to markers, shape (frames, outputs, 3)."""
+Smooth = Callable[[FloatArray], FloatArray]
+"""From joints, shape (frames, inputs, 3), to smoother ones."""
 
 
 def measure(
     model: Model, learnt: Sequence[Pair], rest: Sequence[Pair], progress: Progress
 ) -> Model:
     """Return the model with a card that says how good it is on pairs it has not seen."""
-    ridge = ridge_on_butterworth(learnt, model.profile)
-
-    def network(joints: FloatArray) -> FloatArray:
-        return refined_poses(joints, model, STRIDE, lambda _: None)
-
     kinds: dict[str, Predict] = {
-        NETWORK: network,
-        FILTERED: lambda joints: filtered(network(joints), OUTPUT_FILTER_HZ),
-        RIDGE: ridge,
+        NETWORK: refining(model),
+        FILTERED: smoothing(refining(model)),
+        RIDGE: ridge_on(butterworth, learnt, model.profile),
     }
     figures = {}
     for done, (name, predict) in enumerate(kinds.items()):
@@ -48,11 +45,26 @@ def measure(
     return replace(model, card={**model.card, "figures": figures, "measured_on": len(rest)})
 
 
-def ridge_on_butterworth(pairs: Sequence[Pair], profile: Profile) -> Predict:
-    """Fit a ridge regression on joints smoothed at 5 Hz."""
-    smooth = [filtered(pair.joints, INPUT_FILTER_HZ) for pair in pairs]
-    ridge = Ridge(smooth, [pair.markers for pair in pairs], profile)
-    return lambda joints: ridge(filtered(joints, INPUT_FILTER_HZ))
+def refining(model: Model) -> Predict:
+    """Return what a network predicts, as it does by default."""
+    return lambda joints: refined_poses(joints, model, STRIDE, no_progress)
+
+
+def smoothing(predict: Predict) -> Predict:
+    """Return predictions with the output filter."""
+    return lambda joints: filtered(predict(joints), OUTPUT_FILTER_HZ)
+
+
+def butterworth(joints: FloatArray) -> FloatArray:
+    """Smooth joints with the usual filter of 5 Hz, forwards and backwards."""
+    return filtered(joints, INPUT_FILTER_HZ)
+
+
+def ridge_on(smooth: Smooth, pairs: Sequence[Pair], profile: Profile) -> Predict:
+    """Fit a ridge regression on smoothed joints."""
+    smoothed = [smooth(pair.joints) for pair in pairs]
+    ridge = Ridge(smoothed, [pair.markers for pair in pairs], profile)
+    return lambda joints: ridge(smooth(joints))
 
 
 def errors_over(pairs: Sequence[Pair], predict: Predict, profile: Profile) -> Errors:

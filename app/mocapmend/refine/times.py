@@ -21,5 +21,4 @@ def seconds_for(duration: float, stride: int, model: Model) -> float:
         The network.
     """
     frames = max(1, round(duration * RATE))
-    weights = sum(array.size for array in model.weights.values())
-    return len(Windows.over(frames, stride).starts) * weights / SPEED
+    return len(Windows.over(frames, stride).starts) * model.size / SPEED

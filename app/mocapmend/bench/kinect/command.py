@@ -26,7 +26,7 @@ from mocapmend.bench.kinect.networks import (
 from mocapmend.bench.kinect.rivals import RIDGE, raw_errors, rivals
 from mocapmend.bench.say import say
 from mocapmend.files.uiprmd import read_packed
-from mocapmend.refine.measuring import OUTPUT_FILTER_HZ, Predict, errors_over
+from mocapmend.refine.measuring import Predict, errors_over, refining, smoothing
 from mocapmend.refine.models import DEFAULT, load_model, names
 from mocapmend.refine.profiles import profile_named
 from mocapmend_algorithms import no_progress
@@ -34,7 +34,7 @@ from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.refine.measures import Errors
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.profile import Profile
-from mocapmend_algorithms.refine.refining import filtered, refined_poses
+from mocapmend_algorithms.refine.refining import refined_poses
 from mocapmend_algorithms.refine.train.pairs import Pair
 from mocapmend_algorithms.refine.train.settings import Settings
 from mocapmend_algorithms.refine.windows import STRIDES
@@ -100,8 +100,8 @@ def run(arguments: argparse.Namespace) -> Report:
             models[PROJECTED] = models[BRA_S_C.name]
             models[BRA_S_C.name] = _unprojected(models[BRA_S_C.name])
         for name, model in models.items():
-            ways[name] = _refining(model)
-            ways[name + WITH_FILTER] = _smoothing(_refining(model))
+            ways[name] = refining(model)
+            ways[name + WITH_FILTER] = smoothing(refining(model))
         for name, predict in ways.items():
             errors = errors_over(rest, predict, profile)
             rows.append(tables.Row(split, name, errors, ridge))
@@ -130,17 +130,6 @@ def _is_compared(row: tables.Row) -> bool:
 def _unprojected(model: Model) -> Model:
     """Return a network whose result is what its stack makes."""
     return replace(model, shape=replace(model.shape, perceptual=False))
-
-
-def _refining(model: Model) -> Predict:
-    return lambda joints: refined_poses(joints, model, 60, no_progress)
-
-
-def _smoothing(predict: Predict) -> Predict:
-    def smooth(joints: FloatArray) -> FloatArray:
-        return filtered(predict(joints), OUTPUT_FILTER_HZ)
-
-    return smooth
 
 
 def _by_stacks(

@@ -1,10 +1,10 @@
 """What networks are held against: regressions on joints that were smoothed in the usual ways."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from mocapmend.refine.measuring import INPUT_FILTER_HZ, Predict
+from mocapmend.refine.measuring import Predict, Smooth, butterworth, ridge_on
 from mocapmend_algorithms import no_progress
 from mocapmend_algorithms.arrays import FloatArray
 from mocapmend_algorithms.gaps import Gap
@@ -12,12 +12,8 @@ from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.refine.measures import Errors, pooled, second_differences
 from mocapmend_algorithms.refine.preparing import RATE
 from mocapmend_algorithms.refine.profile import Profile
-from mocapmend_algorithms.refine.refining import filtered
-from mocapmend_algorithms.refine.ridge import Ridge
 from mocapmend_algorithms.refine.train.pairs import Pair
 
-Smooth = Callable[[FloatArray], FloatArray]
-"""From joints, shape (frames, inputs, 3), to smoother ones."""
 WINDOW, DEGREE = 15, 3
 """Of Savitzky and Golay's filter: a quarter of a second."""
 NOISE_MM = 5.0
@@ -27,11 +23,6 @@ RIDGE = "ridge on Butterworth"
 def as_it_is(joints: FloatArray) -> FloatArray:
     """Smooth nothing."""
     return joints
-
-
-def butterworth(joints: FloatArray) -> FloatArray:
-    """Smooth with the usual filter of 5 Hz, forwards and backwards."""
-    return filtered(joints, INPUT_FILTER_HZ)
 
 
 def savitzky_golay(joints: FloatArray) -> FloatArray:
@@ -68,15 +59,7 @@ SMOOTHED: Mapping[str, Smooth] = {
 
 def rivals(pairs: Sequence[Pair], profile: Profile) -> dict[str, Predict]:
     """Fit the regressions."""
-    markers = [pair.markers for pair in pairs]
-    return {name: _fitted(smooth, pairs, markers, profile) for name, smooth in SMOOTHED.items()}
-
-
-def _fitted(
-    smooth: Smooth, pairs: Sequence[Pair], markers: Sequence[FloatArray], profile: Profile
-) -> Predict:
-    ridge = Ridge([smooth(pair.joints) for pair in pairs], markers, profile)
-    return lambda joints: ridge(smooth(joints))
+    return {name: ridge_on(smooth, pairs, profile) for name, smooth in SMOOTHED.items()}
 
 
 def raw_errors(pairs: Sequence[Pair], profile: Profile) -> Errors:

@@ -61,7 +61,7 @@ def stacks(found: Mapping[Network, tuple[Model, Errors]]) -> Grid:
         {
             "network": network.name,
             "stacks": network.stacks,
-            "weights": sum(array.size for array in model.weights.values()),
+            "weights": model.size,
             "position_mm2": errors.position,
             "bones_mm2": errors.bones,
             "smoothness_mm2": errors.smoothness,

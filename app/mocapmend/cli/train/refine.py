@@ -214,7 +214,7 @@ def _tell(model: Model, out: Path, seconds: float, console: Console) -> None:
             f"Loss:       {losses[0]:.3f} to {losses[-1]:.3f} in {count(len(losses), 'round')}, "
             f"{stage}"
         )
-    console.say(f"Weights:    {sum(weights.size for weights in model.weights.values())}")
+    console.say(f"Weights:    {model.size}")
     if "figures" in card:
         console.say(
             f"Measured on {count(card['measured_on'], 'pair')} held out: {card['held_out']}"
