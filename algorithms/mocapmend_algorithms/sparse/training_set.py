@@ -16,6 +16,7 @@ import numpy as np
 
 from mocapmend_algorithms.arrays import FloatArray, IntArray
 from mocapmend_algorithms.gaps import runs
+from mocapmend_algorithms.names import without_subject
 from mocapmend_algorithms.recording import Recording, UpAxis
 from mocapmend_algorithms.zip_arrays import ArchiveError, ZipArrays, write_arrays
 
@@ -102,7 +103,7 @@ class TrainingSet:
         TrainingSetError
             If the recording lacks some of them, or has one twice.
         """
-        bare = [label.rpartition(":")[2].strip().upper() for label in labels]
+        bare = [without_subject(label).upper() for label in labels]
         wanted = [label.upper() for label in self.labels]
         lacking = [label for label in self.labels if label.upper() not in bare]
         if lacking:
@@ -158,7 +159,7 @@ def gather(
         raise TrainingSetError("there is no recording to learn from")
     first = recordings[0]
     common_rate = first.rate if rate is None else rate
-    names = [[_bare(label) for label in recording.labels] for recording in recordings]
+    names = [[without_subject(label) for label in recording.labels] for recording in recordings]
     common = [name for name in names[0] if all(own.count(name) == 1 for own in names)]
     lacking = sorted(set(markers).difference(common))
     if lacking:
@@ -313,10 +314,6 @@ def _sampled(points: FloatArray, own: float, wanted: float) -> FloatArray:
     spline = CubicSpline(seconds, points, axis=0)
     sampled: FloatArray = spline(np.minimum(np.arange(count) / wanted, seconds[-1]))
     return sampled
-
-
-def _bare(label: str) -> str:
-    return label.rpartition(":")[2].strip()
 
 
 def up_vector(up: UpAxis) -> FloatArray:
