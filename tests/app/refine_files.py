@@ -61,14 +61,14 @@ def write_pair(
 
 
 def write_pairs(folder: Path, profile: Profile, count: int) -> Path:
-    """Write some pairs and the list of them; the repetitions are numbered from 0."""
+    """Write some pairs and the list of them; performers and repetitions are numbered from 0."""
     path = folder / "pairs.csv"
     with path.open("w", newline="") as stream:
         table = csv.writer(stream)
         table.writerow(["recording", "reference", "performer", "movement", "repetition"])
         for number in range(count):
             pair = write_pair(folder, profile, str(number), seed=number)
-            table.writerow([pair[0].name, pair[1].name, 0, 0, number])
+            table.writerow([pair[0].name, pair[1].name, number, 0, number])
     return path
 
 

@@ -16,10 +16,17 @@ CARD = {
     "performers": 2,
     "movements": 1,
     "frames": 900,
-    "held_out": "performers 8, 9, 10",
+    "held_out": "repetitions 8, 9, 10",
     "measured_on": 2,
     "figures": {
         "network": {"position_mm2": 1234.0, "bones_mm2": 56.7, "smoothness_mm2": 0.891},
+    },
+    "new_people": {
+        "held_out": "performers 8, 9, 10",
+        "measured_on": 7,
+        "figures": {
+            "network": {"position_mm2": 2345.0, "bones_mm2": 67.8, "smoothness_mm2": 0.912},
+        },
     },
 }
 

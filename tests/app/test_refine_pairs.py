@@ -107,7 +107,7 @@ def test_a_network_is_measured_beside_a_regression(tmp_path: Path, profile: Prof
     assert figures[RIDGE]["position_mm2"] < 0.5 * figures[NETWORK]["position_mm2"]
     text = card_text(model)
     assert CAUTION in text
-    assert "Measured on 2 pairs held out" in text
+    assert "Measured on pairs held out (2)" in text
     assert RIDGE in text
 
 

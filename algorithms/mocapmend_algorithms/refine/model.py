@@ -53,6 +53,8 @@ class Model:
     card : mapping
         What people should know of it: "about", "data", "command", "seed", "trained_on",
         "figures"; numbers, text, and lists and tables of them.
+    mirrored : bool
+        Whether it has learnt from windows that are seen in a mirror too; see `mirroring`.
     """
 
     profile: Profile
@@ -60,6 +62,7 @@ class Model:
     scaling: Scaling
     weights: Weights
     card: Mapping[str, Any] = field(default_factory=dict)
+    mirrored: bool = False
 
     @property
     def size(self) -> int:
@@ -90,6 +93,7 @@ def encode_model(model: Model) -> bytes:
         "profile": asdict(model.profile),
         "shape": asdict(model.shape),
         "card": dict(model.card),
+        "mirrored": model.mirrored,
     }
     arrays = {"head": np.array(json.dumps(head))}
     arrays |= {name: np.asarray(value) for name, value in vars(model.scaling).items()}
@@ -153,7 +157,9 @@ def _read(arrays: ZipArrays) -> Model:
     weights = {
         name: _numbers(arrays, name, size, np.float32) for name, size in shape.expected().items()
     }
-    return Model(profile, shape, scaling, weights, dict(head["card"]))
+    return Model(
+        profile, shape, scaling, weights, dict(head["card"]), mirrored=bool(head["mirrored"])
+    )
 
 
 def _profile(data: dict[str, Any]) -> Profile:

@@ -10,6 +10,7 @@ from mocapmend_algorithms.params import option
 from mocapmend_algorithms.progress import Progress
 from mocapmend_algorithms.recording import Recording
 from mocapmend_algorithms.refine.calibrating import corrected
+from mocapmend_algorithms.refine.mirroring import poses_of
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.preparing import RATE, headings, prepare, turned
 from mocapmend_algorithms.refine.windows import Windows
@@ -143,7 +144,7 @@ def refined_poses(joints: FloatArray, model: Model, stride: int, progress: Progr
         part = windows.slice(start, min(start + TOGETHER, count))
         seen = part.cut_out(joints)
         angles = headings(seen, model.profile)
-        made = model.outputs(turned(seen, -angles))[-1]
+        made = poses_of(model, turned(seen, -angles))
         kept.append(part.joined(turned(made, angles)))
         progress(min(start + TOGETHER, count) / count)
     return np.concatenate(kept)

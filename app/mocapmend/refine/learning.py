@@ -159,4 +159,11 @@ def _model(course: Course, training: "Training", pairs: Sequence[Pair]) -> Model
         "pytorch": torch.__version__,
     }
     shape = course.settings.shape(course.profile)
-    return Model(course.profile, shape, training.scaling, training.weights(), card)
+    return Model(
+        course.profile,
+        shape,
+        training.scaling,
+        training.weights(),
+        card,
+        mirrored=course.settings.changes.mirrors,
+    )

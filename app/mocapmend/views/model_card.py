@@ -5,7 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QCoreApplication
 
-from mocapmend.refine.card import CAUTION, NEW_PEOPLE, card_rows
+from mocapmend.refine.card import CAUTION, NEW_PEOPLE, Measured, card_rows, measured
 from mocapmend.translate import QT_TRANSLATE_NOOP
 from mocapmend.views.engine_texts import shown
 from mocapmend_algorithms.refine.model import Model
@@ -37,16 +37,25 @@ def card_html(model: Model) -> str:
     return (
         f"<p><b>{escape(shown(model.profile.name))}</b></p>"
         f"<p>{escape(shown(CAUTION))} <b>{escape(shown(NEW_PEOPLE))}</b></p>"
-        f"<table>{rows}</table>{_figures(model.card)}"
+        f"<table>{rows}</table>{_figures(model)}"
     )
 
 
-def _figures(card: Any) -> str:
-    figures = card.get("figures")
-    if not isinstance(figures, dict) or not figures:
+def _figures(model: Model) -> str:
+    tables = [_table(table) for table in measured(model)]
+    if not tables:
         text = translate("ModelCard", "Nothing was held out: how good it is was not measured.")
         return f"<p>{escape(text)}</p>"
-    head = translate("ModelCard", "Measured on {0} pairs held out:")
+    meaning = translate(
+        "ModelCard",
+        "Lp: mean square error of a coordinate. Lb: of bone lengths. Ls: mean square second "
+        "difference of a coordinate.",
+    )
+    return "".join(tables) + f"<p>{escape(meaning)}</p>"
+
+
+def _table(table: Measured) -> str:
+    head = shown(table.head).format(*table.parts)
     rows = "".join(
         f"<tr><td>{_word(str(name))}</td>"
         + "".join(
@@ -58,21 +67,13 @@ def _figures(card: Any) -> str:
             )
         )
         + "</tr>"
-        for name, row in figures.items()
+        for name, row in table.figures.items()
     )
     titles = "".join(
         f"<td align='right' style='padding-left: 16px'>{title} (mm²)</td>"
         for title in ("Lp", "Lb", "Ls")
     )
-    meaning = translate(
-        "ModelCard",
-        "Lp: mean square error of a coordinate. Lb: of bone lengths. Ls: mean square second "
-        "difference of a coordinate.",
-    )
-    return (
-        f"<p>{escape(head.format(card.get('measured_on', '?')))}</p>"
-        f"<table><tr><td></td>{titles}</tr>{rows}</table><p>{escape(meaning)}</p>"
-    )
+    return f"<p>{escape(head)}</p><table><tr><td></td>{titles}</tr>{rows}</table>"
 
 
 def _number(row: Any, key: str, decimals: int) -> str:

@@ -2654,10 +2654,6 @@
         <translation>没有留出数据：其优劣未经测量。</translation>
     </message>
     <message>
-        <source>Measured on {0} pairs held out:</source>
-        <translation>在留出的 {0} 对记录上测得：</translation>
-    </message>
-    <message>
         <source>Lp: mean square error of a coordinate. Lb: of bone lengths. Ls: mean square second difference of a coordinate.</source>
         <translation>Lp：坐标的均方误差。Lb：骨段长度的均方误差。Ls：坐标二阶差分的均方值。</translation>
     </message>
@@ -6464,8 +6460,16 @@ It holds {0}.</source>
         <translation>网络计算出的是估计值，不是测量值。它由其说明卡所列的人员和动作训练而成；对其他动作一无所知。</translation>
     </message>
     <message>
-        <source>For a person whom it has not seen, expect no more than from smoothing and regression: see the figures for performers held out on its card, if there are some. One paired recording of that person, to calibrate with, takes much of the error away.</source>
-        <translation>对于它未见过的人，不要期望优于平滑加回归：如果有的话，请看其说明卡上关于留出的表演者的数据。用该人的一个成对记录进行校准，可消除大部分误差。</translation>
+        <source>For a person whom it has not seen, expect little more than from smoothing and regression: see the figures for new people on its card, if there are some. One paired recording of that person, to calibrate with, takes much of the error away.</source>
+        <translation>对于它未见过的人，不要期望比平滑加回归好多少：如果有的话，请看其说明卡上关于新人的数据。用该人的一个成对记录进行校准，可消除大部分误差。</translation>
+    </message>
+    <message>
+        <source>Measured on pairs held out ({0}):</source>
+        <translation>在留出的成对记录上测得（{0} 对）：</translation>
+    </message>
+    <message>
+        <source>Measured after the same training without some people ({0}; pairs: {1}):</source>
+        <translation>同样训练但不含部分人时，在这些人上测得（{0}；{1} 对）：</translation>
     </message>
     <message>
         <source>All markers were computed from the joints of another recording; none was measured.</source>

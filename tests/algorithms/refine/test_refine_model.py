@@ -2,6 +2,7 @@
 
 import io
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,13 +16,14 @@ from mocapmend_algorithms.zip_arrays import write_arrays
 
 
 def test_what_is_written_is_read(tmp_path: Path) -> None:
-    written = model()
+    written = replace(model(), mirrored=True)
     path = tmp_path / "model.npz"
     path.write_bytes(encode_model(written))
     found = read_model(path)
     assert found.profile == PROFILE
     assert found.shape == written.shape
     assert found.card == {"about": "random weights"}
+    assert found.mirrored
     windows = np.random.default_rng(0).normal(0, 300, (2, 120, 5, 3))
     for a, b in zip(found.outputs(windows), written.outputs(windows), strict=True):
         np.testing.assert_array_equal(a, b)

@@ -11,7 +11,13 @@ from refine_files import ASIDE, body
 from mocapmend.bench import main
 from mocapmend.bench.kinect.command import PAIRS
 from mocapmend.bench.kinect.few_shot import calibrated
-from mocapmend.bench.kinect.networks import BRA_S_C, NETWORKS, Rounds, Shelf
+from mocapmend.bench.kinect.networks import (
+    BRA_S_C,
+    NETWORKS,
+    Rounds,
+    Shelf,
+    settings_of,
+)
 from mocapmend.bench.kinect.rivals import SMOOTHED, raw_errors, rivals
 from mocapmend.bench.kinect.tables import Row, targets
 from mocapmend.refine.profiles import profile_named
@@ -79,17 +85,22 @@ def test_networks_are_trained_once_and_found_again(
     from mocapmend_algorithms.refine.train import settings
 
     monkeypatch.setattr(settings.Settings, "width", 4)
-    shelf = Shelf(tmp_path, Rounds(1, 1, 0))
-    assert shelf.find(BRA_S_C, "seen") is None
-    shelf.train(BRA_S_C, "seen", [pair(0)])
+    shelf = Shelf(tmp_path)
+    asked = BRA_S_C.settings(Rounds(1, 1, 0))
+    assert shelf.find("BRA-S-C", "seen", asked) is None
+    shelf.train("BRA-S-C", "seen", asked, [pair(0)])
     (path,) = tmp_path.iterdir()
     stamp = path.stat().st_mtime_ns
-    shelf.train(BRA_S_C, "seen", [pair(1)])
+    shelf.train("BRA-S-C", "seen", asked, [pair(1)])
     assert path.stat().st_mtime_ns == stamp
-    found = shelf.find(BRA_S_C, "seen")
+    found = shelf.find("BRA-S-C", "seen", asked)
+    assert found is not None
     assert found.shape.perceptual
     assert found.shape.stacks == 6
-    assert Shelf(None, Rounds(1, 1, 0)).find(BRA_S_C, "seen") is None
+    assert found.mirrored
+    assert settings_of(found) == asked
+    assert shelf.find("BRA-S-C", "unseen", asked) is None
+    assert Shelf(None).find("BRA-S-C", "seen", asked) is None
 
 
 def test_the_networks_are_the_paper_s() -> None:

@@ -10,6 +10,7 @@ from refine_files import write_model, write_pair, write_pairs
 
 from mocapmend.cli import main
 from mocapmend.files import check_files, read_c3d, read_recording
+from mocapmend.refine.card import card_text
 from mocapmend.refine.profiles import profile_named, profiles
 from mocapmend_algorithms.refine.model import read_model
 
@@ -247,6 +248,42 @@ def test_a_network_is_trained_on_pairs_of_files(
     recording = read_recording(tmp_path / "0.c3d")
     code, _ = run_json("refine", recording.path, "-o", tmp_path / "out.c3d", "--model", out)
     assert code == 0
+
+
+def test_the_card_says_how_good_it_is_on_new_people(run_json: Json, tmp_path: Path) -> None:
+    profile = profile_named(PROFILES[0])
+    write_pairs(tmp_path, profile, 3)
+    apart, out = tmp_path / "apart.npz", tmp_path / "model.npz"
+    code, other = train(run_json, tmp_path, "-o", apart, "--hold-out", "performers=2")
+    assert code == 0
+    code, made = train(run_json, tmp_path, "-o", out, "--new-people", apart)
+    assert code == 0
+    assert made["card"]["new_people"] == {
+        name: other["card"][name] for name in ("held_out", "measured_on", "figures")
+    }
+    assert "--new-people apart.npz" in made["card"]["command"]
+    assert "figures" not in made["card"]
+    code, card = run_json("refine", "--card", "--model", out)
+    assert code == 0
+    assert card["card"]["new_people"]["held_out"] == "performers 2"
+    text = card_text(read_model(out))
+    assert "the same training without some people (performers 2; pairs: 1)" in text
+
+
+def test_new_people_are_those_of_the_same_training(run_json: Json, tmp_path: Path) -> None:
+    write_pairs(tmp_path, profile_named(PROFILES[0]), 3)
+    apart, out = tmp_path / "apart.npz", tmp_path / "model.npz"
+    assert train(run_json, tmp_path, "-o", apart, "--hold-out", "repetitions=2")[0] == 0
+    code, made = train(run_json, tmp_path, "-o", out, "--new-people", apart, "--seed", 1)
+    assert code == 1
+    assert "other settings" in made["error"]["what"]
+    code, made = train(run_json, tmp_path, "-o", out, "--new-people", apart)
+    assert code == 1
+    assert "not measured on performers" in made["error"]["what"]
+    code, made = train(run_json, tmp_path, "-o", out, "--new-people", tmp_path / "pairs.csv")
+    assert code == 1
+    assert "not a model" in made["error"]["what"]
+    assert not out.exists()
 
 
 def test_the_card_s_command_makes_the_same_network(run_json: Json, tmp_path: Path) -> None:

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from mocapmend_algorithms.arrays import BoolArray, FloatArray
+from mocapmend_algorithms.refine.mirroring import Mirror
 from mocapmend_algorithms.refine.preparing import bridge_gaps, headings, turned
-from mocapmend_algorithms.refine.profile import Profile, mirrored
+from mocapmend_algorithms.refine.profile import Profile
 from mocapmend_algorithms.refine.train.pairs import Pair
 from mocapmend_algorithms.refine.windows import LENGTH
 
@@ -42,6 +43,11 @@ class Changes:
     mirror: bool = True
     hidden: float = 0.02
     longest_hidden: int = 30
+
+    @property
+    def mirrors(self) -> bool:
+        """Whether any window is seen in a mirror."""
+        return self.mirror and self.share > 0
 
 
 NO_CHANGES = Changes(share=0.0)
@@ -80,9 +86,7 @@ class Drawer:
         self._pairs = pairs
         self._profile = profile
         self._changes = changes
-        self._inputs = np.array(mirrored(profile.inputs))
-        self._outputs = np.array(mirrored(profile.outputs))
-        self._can_mirror = changes.mirror and bool((self._inputs >= 0).all())
+        self._mirror = Mirror(profile)
 
     def round(self, rng: np.random.Generator) -> Drawn:
         """Draw as many windows as cover the pairs once, in random order, changed at random."""
@@ -105,8 +109,9 @@ class Drawer:
         count = len(joints)
         changed = rng.random(count) < changes.share
         flip = changed & (rng.random(count) < 0.5)
-        if self._can_mirror:
-            joints[flip], markers[flip] = self._mirror(joints[flip], markers[flip])
+        if changes.mirror and self._mirror.possible:
+            joints[flip] = self._mirror.joints(joints[flip])
+            markers[flip] = self._mirror.markers(markers[flip])
         alike = (changed * rng.uniform(-changes.scale, changes.scale, count))[:, None, None, None]
         joints, markers = joints * (1 + alike), markers * (1 + alike)
         offsets = rng.normal(0, changes.offset, (count, 1, *joints.shape[2:]))
@@ -119,12 +124,6 @@ class Drawer:
         angles = headings(joints, self._profile)
         angles += changed * rng.uniform(-changes.turn, changes.turn, count)
         return Drawn(turned(joints, -angles), turned(markers, -angles))
-
-    def _mirror(self, joints: FloatArray, markers: FloatArray) -> tuple[FloatArray, FloatArray]:
-        across = np.array([-1.0, 1.0, 1.0])
-        seen = markers[:, :, self._outputs] * across
-        seen[:, :, self._outputs < 0] = np.nan
-        return joints[:, :, self._inputs] * across, seen
 
     def _hide(self, joints: FloatArray, hidden: BoolArray, rng: np.random.Generator) -> None:
         for window, joint in zip(*np.nonzero(hidden), strict=True):

@@ -12,6 +12,7 @@ from mocapmend.refine.models import DEFAULT, SUFFIX
 from mocapmend.refine.profiles import profile_named
 from mocapmend_algorithms.progress import no_progress
 from mocapmend_algorithms.refine.model import Model, encode_model, read_model
+from mocapmend_algorithms.refine.train.drawing import Changes
 from mocapmend_algorithms.refine.train.pairs import Pair
 from mocapmend_algorithms.refine.train.settings import Settings
 
@@ -41,7 +42,7 @@ class Network:
     latent: bool
     splits: tuple[str, ...]
 
-    def settings(self, rounds: int, first_rounds: int, seed: int) -> Settings:
+    def settings(self, rounds: "Rounds") -> Settings:
         """Return how it is trained."""
         usual = Settings()
         return replace(
@@ -49,9 +50,9 @@ class Network:
             stacks=self.stacks,
             latent=usual.latent if self.latent else 0.0,
             projected=self.latent,
-            rounds=rounds,
-            first_rounds=first_rounds,
-            seed=seed,
+            rounds=rounds.stack,
+            first_rounds=rounds.perceptual,
+            seed=rounds.seed,
         )
 
 
@@ -72,6 +73,12 @@ class Rounds:
     seed: int
 
 
+def settings_of(model: Model) -> Settings:
+    """Return how a network was trained, as its card has it."""
+    card = model.card["settings"]
+    return Settings(**{**card, "changes": Changes(**card["changes"])})
+
+
 class Shelf:
     """The trained networks of a folder.
 
@@ -79,34 +86,28 @@ class Shelf:
     ----------
     folder : Path or None
         Where they are; None has none.
-    rounds : Rounds
-        How they are trained.
     """
 
-    def __init__(self, folder: Path | None, rounds: Rounds) -> None:
+    def __init__(self, folder: Path | None) -> None:
         self._folder = folder
-        self._rounds = rounds
 
-    def find(self, network: Network, split: str) -> Model | None:
+    def find(self, name: str, split: str, settings: Settings) -> Model | None:
         """Return a network that was trained on a split, None if it was not."""
-        path = self._path(network, split)
+        path = self._path(name, split, settings)
         return read_model(path) if path is not None and path.exists() else None
 
-    def train(self, network: Network, split: str, pairs: Sequence[Pair]) -> None:
+    def train(self, name: str, split: str, settings: Settings, pairs: Sequence[Pair]) -> None:
         """Train a network on a split, if that has not been done."""
-        path = self._path(network, split)
+        path = self._path(name, split, settings)
         if path is None or path.exists():
             return
         say(f"training {path.name}")
-        rounds = self._rounds
-        settings = network.settings(rounds.stack, rounds.perceptual, rounds.seed)
         course = Course(profile_named(DEFAULT), settings, state_path(path))
         model = learn(course, pairs, no_progress, resume=True)
         write_bytes(path, encode_model(model))
         course.state.unlink(missing_ok=True)
 
-    def _path(self, network: Network, split: str) -> Path | None:
-        rounds = self._rounds
-        about = f"{rounds.perceptual}+{rounds.stack}-seed{rounds.seed}"
-        name = f"{network.name.lower()}-{split}-{about}{SUFFIX}"
-        return None if self._folder is None else self._folder / name
+    def _path(self, name: str, split: str, settings: Settings) -> Path | None:
+        about = f"{settings.first_rounds}+{settings.rounds}-seed{settings.seed}"
+        file = f"{name.lower()}-{split}-{about}{SUFFIX}"
+        return None if self._folder is None else self._folder / file

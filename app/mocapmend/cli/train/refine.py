@@ -23,6 +23,7 @@ from mocapmend.refine.holding_out import NOTHING, By, HeldOut
 from mocapmend.refine.learning import Course, learn, state_path
 from mocapmend.refine.measuring import measure
 from mocapmend.refine.models import DEFAULT, SUFFIX
+from mocapmend.refine.new_people import read_new_people, with_new_people
 from mocapmend.refine.pair_lists import HELP, read_pairs
 from mocapmend.refine.profiles import profile_named, profiles
 from mocapmend_algorithms.progress import part
@@ -79,6 +80,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="pairs that are not learnt from, by repetition or performer; the network is measured "
         "on them, and its card says how good it was",
     )
+    parser.add_argument(
+        "--new-people",
+        type=Path,
+        metavar="MODEL.npz",
+        help="a network that was trained in the same way with performers held out: how good it was "
+        "on them goes on the card too",
+    )
     parser.add_argument("--about", metavar="TEXT", help="what was recorded, for the card")
     parser.add_argument(
         "--printed",
@@ -127,6 +135,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     if arguments.curve is not None:
         target.check_place(arguments.curve, overwrite=arguments.overwrite)
     profile = profile_named(arguments.profile)
+    settings = _settings(arguments)
+    new_people = arguments.new_people and read_new_people(arguments.new_people, profile, settings)
     console.start("Reading")
     held_out: HeldOut = arguments.hold_out
     learnt, rest = held_out.split(read_pairs(arguments.pairs, profile, console.progress))
@@ -134,7 +144,6 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
         raise MocapmendError(
             "All pairs are held out.", str(arguments.pairs), "Hold out fewer of them."
         )
-    settings = _settings(arguments)
     card: dict[str, Any] = {
         "about": arguments.about or arguments.pairs.name,
         "data": {"file": arguments.pairs.name, "sha256": hash_file(arguments.pairs)},
@@ -146,6 +155,8 @@ def run(arguments: argparse.Namespace, console: Console) -> int:
     model = learn(course, learnt, part(console.progress, 0.0, 0.98), resume=arguments.resume)
     if rest:
         model = measure(model, learnt, rest, part(console.progress, 0.98, 1.0))
+    if new_people:
+        model = with_new_people(model, new_people)
     write_atomically(out, writer_of(encode_model(model)), _verify)
     if arguments.curve is not None:
         write_bytes(arguments.curve, _curve(model))
@@ -187,6 +198,8 @@ def _command(arguments: argparse.Namespace) -> str:
     if arguments.hold_out.numbers:
         numbers = ",".join(map(str, arguments.hold_out.numbers))
         words += ["--hold-out", f"{arguments.hold_out.by}s={numbers}"]
+    if arguments.new_people is not None:
+        words += ["--new-people", arguments.new_people.name]
     for name in ("printed", "no_latent", "projected", "no_skip", "no_changes"):
         if getattr(arguments, name):
             words.append(f"--{name.replace('_', '-')}")
