@@ -1,6 +1,7 @@
 """Refining in the window: asked, done apart, shown beside its original, exported."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -451,6 +452,8 @@ def test_stride_1_takes_longer() -> None:
     short, long = (seconds_for(60.0, stride, model) for stride in (60, 1))
     assert long / short == pytest.approx(60, rel=0.05)
     assert seconds_for(0.01, 60, model) > 0
+    twice = replace(model, mirrored=True)
+    assert seconds_for(60.0, 60, twice) == pytest.approx(2 * short)
 
 
 def test_dialog_asks_and_gives_what_is_chosen(

@@ -48,6 +48,11 @@ class Mirror:
         return seen
 
 
+def is_asked_twice(model: Model) -> bool:
+    """Return whether a network is asked about mirrored windows too: it takes twice the time."""
+    return model.mirrored and Mirror(model.profile).possible
+
+
 def poses_of(model: Model, windows: FloatArray) -> FloatArray:
     """Return what a network makes of windows, and of their mirror images if it knows such.
 
@@ -64,8 +69,8 @@ def poses_of(model: Model, windows: FloatArray) -> FloatArray:
         In mm relative to the root.
     """
     straight = model.outputs(windows)[-1]
-    mirror = Mirror(model.profile)
-    if not (model.mirrored and mirror.possible):
+    if not is_asked_twice(model):
         return straight
+    mirror = Mirror(model.profile)
     other = mirror.markers(model.outputs(mirror.joints(windows))[-1])
     return np.where(np.isnan(other), straight, (1 - SHARE) * straight + SHARE * other)

@@ -1,5 +1,6 @@
 """How long refining takes, about: what a user wants to know before."""
 
+from mocapmend_algorithms.refine.mirroring import is_asked_twice
 from mocapmend_algorithms.refine.model import Model
 from mocapmend_algorithms.refine.preparing import RATE
 from mocapmend_algorithms.refine.windows import Windows
@@ -21,4 +22,5 @@ def seconds_for(duration: float, stride: int, model: Model) -> float:
         The network.
     """
     frames = max(1, round(duration * RATE))
-    return len(Windows.over(frames, stride).starts) * model.size / SPEED
+    windows = len(Windows.over(frames, stride).starts) * (2 if is_asked_twice(model) else 1)
+    return windows * model.size / SPEED
