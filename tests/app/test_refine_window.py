@@ -352,7 +352,7 @@ def test_the_card_is_read_in_the_dialog(opened: MainWindow, qtbot: QtBot) -> Non
     text = " ".join(dialog.card.toPlainText().split())
     for part in (
         "copies joints, for tests",
-        "For a person whom it has not seen, expect little more than from smoothing and regression",
+        "For a person whom it has not seen, expect no more than from smoothing and regression",
         CAUTION,
         "performers 8, 9, 10",
         "1234",

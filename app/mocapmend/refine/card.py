@@ -12,8 +12,8 @@ CAUTION = (
     "movements that its card names; of other movements it knows nothing."
 )
 NEW_PEOPLE = (
-    "For a person whom it has not seen, expect little more than from smoothing and regression: "
-    "see the figures for new people on its card, if there are some. One paired recording of that "
+    "For a person whom it has not seen, expect no more than from smoothing and regression: see "
+    "the figures for new people on its card, if there are some. One paired recording of that "
     "person, to calibrate with, takes much of the error away."
 )
 
