@@ -9,6 +9,7 @@ from packed_pairs import write_packed
 from refine_files import ASIDE, body
 
 from mocapmend.bench import main
+from mocapmend.bench.kinect import command
 from mocapmend.bench.kinect.command import PAIRS
 from mocapmend.bench.kinect.few_shot import calibrated
 from mocapmend.bench.kinect.networks import (
@@ -108,7 +109,11 @@ def test_the_networks_are_the_paper_s() -> None:
     assert names == {"BRA", *(f"BRA-S-{n}" for n in range(2, 7)), "BRA-S-C"}
 
 
-def test_the_tables_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_tables_are_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(command, "FRAMES_TIMED", {60: 120, 1: 4})
+    monkeypatch.setattr(command, "SOME", 1)
     (tmp_path / "kinect").mkdir()
     path = write_packed(tmp_path / PAIRS, PROFILE, performers=9, repetitions=8)
     assert path.exists()
@@ -118,6 +123,10 @@ def test_the_tables_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[st
     ridge = [row for row in found["ways"] if row["way"] == "ridge on Butterworth"]
     assert [row["position_ratio"] for row in ridge] == [1, 1]
     assert [row["network"] for row in found["structures"]] == ["BRA", "BRA-S-6", "BRA-S-C"]
+    assert [row["way"] for row in found["ways"] if "ships" in row["way"]] == [
+        "ships", "ships, 6 Hz", "ships, mirror left out", "ships, mirror left out, 6 Hz",
+    ]  # fmt: skip
+    monkeypatch.setattr(command, "names", tuple)
     assert main(["kinect", "--data", str(tmp_path)]) == 0
     assert "| unseen | ridge on Savitzky-Golay |" in capsys.readouterr().out
 
