@@ -13,8 +13,8 @@ CAUTION = (
 )
 NEW_PEOPLE = (
     "For a person whom it has not seen, expect no more than from smoothing and regression: see "
-    "the figures for new people on its card, if there are some. One paired recording of that "
-    "person, to calibrate with, takes much of the error away."
+    "the figures for new people on its card, if there are some. Paired recordings of that "
+    "person to calibrate with, one of each movement, take much of the error away."
 )
 
 

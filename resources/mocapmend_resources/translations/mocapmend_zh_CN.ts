@@ -6460,8 +6460,8 @@ It holds {0}.</source>
         <translation>网络计算出的是估计值，不是测量值。它由其说明卡所列的人员和动作训练而成；对其他动作一无所知。</translation>
     </message>
     <message>
-        <source>For a person whom it has not seen, expect no more than from smoothing and regression: see the figures for new people on its card, if there are some. One paired recording of that person, to calibrate with, takes much of the error away.</source>
-        <translation>对于它未见过的人，不要期望优于平滑加回归：如果有的话，请看其说明卡上关于新人的数据。用该人的一个成对记录进行校准，可消除大部分误差。</translation>
+        <source>For a person whom it has not seen, expect no more than from smoothing and regression: see the figures for new people on its card, if there are some. Paired recordings of that person to calibrate with, one of each movement, take much of the error away.</source>
+        <translation>对于它未见过的人，不要期望优于平滑加回归：如果有的话，请看其说明卡上关于新人的数据。用该人每个动作各一个成对记录进行校准，可消除大部分误差。</translation>
     </message>
     <message>
         <source>Measured on pairs held out ({0}):</source>
