@@ -27,7 +27,7 @@ from mocapmend.bench.kinect.networks import (
 from mocapmend.bench.kinect.rivals import RIDGE, raw_errors, rivals
 from mocapmend.bench.say import say
 from mocapmend.files.uiprmd import read_packed
-from mocapmend.refine.measuring import Predict, errors_over, refining, smoothing
+from mocapmend.refine.measuring import Predict, errors_over, refining, remembering, smoothing
 from mocapmend.refine.models import DEFAULT, load_model, names
 from mocapmend.refine.profiles import profile_named
 from mocapmend_algorithms import no_progress
@@ -100,7 +100,7 @@ def run(arguments: argparse.Namespace) -> Report:
             trained[SHIPPED] = shelf.find(SHIPPED, split, settings_of(shipped))
         measured = list(_measured(split, rest, ways, profile))
         for name, model in _used(trained).items():
-            predict = _remembering(refining(model))
+            predict = remembering(refining(model))
             if name in CALIBRATED:
                 ways[name] = predict
             both = {name: predict, name + WITH_FILTER: smoothing(predict)}
@@ -130,18 +130,6 @@ def _measured(
         errors = errors_over(rest, predict, profile)
         say(f"{split}, {name}: Lp {errors.position:.0f}")
         yield name, errors
-
-
-def _remembering(predict: Predict) -> Predict:
-    """Return the same predictions, each made once: a network is asked about a pair repeatedly."""
-    made: dict[int, FloatArray] = {}
-
-    def remembered(joints: FloatArray) -> FloatArray:
-        if id(joints) not in made:
-            made[id(joints)] = predict(joints)
-        return made[id(joints)]
-
-    return remembered
 
 
 def _train(shelf: Shelf, rounds: Rounds, shipped: Model | None, pairs: Sequence[Pair]) -> None:
